@@ -1,0 +1,259 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "uniformGrid.H"
+#include "syncTools.H"
+
+namespace Foam
+{
+defineTypeNameAndDebug(uniformGrid, 0);
+
+// blockMesh writes 10 digits: positions carry relative errors of 1e-10 of the
+// box, which may be 1e-7 of a cell. Anything graded on purpose exceeds this.
+static const scalar positionTolerance = 1e-4;
+} // namespace Foam
+
+Foam::uniformGrid::uniformGrid(const fvMesh& mesh)
+    : MeshObject<fvMesh, GeometricMeshObject, uniformGrid>(mesh),
+      periodic_(false)
+{
+    reason_ = recogniseCells();
+    if (valid()) reason_ = recogniseSides();
+    if (valid()) addressFaces();
+}
+
+Foam::string Foam::uniformGrid::recogniseCells()
+{
+    const fvMesh& mesh = mesh_;
+
+    const boundBox bounds(mesh.points(), true);
+    origin_ = bounds.min();
+
+    const label nCells = mesh.nCells();
+    const vectorField& centres = mesh.cellCentres();
+
+    // Cell size from the bounding boxes of the cells themselves
+    vector hMin(vector::max), hMax(vector::min);
+    bool hexes = true;
+    for (label celli = 0; celli < nCells; ++celli)
+    {
+        hexes = hexes && mesh.cells()[celli].size() == 6;
+        const boundBox b(mesh.points(), mesh.cellPoints()[celli], false);
+        hMin = min(hMin, b.span());
+        hMax = max(hMax, b.span());
+    }
+    reduce(hexes, andOp<bool>());
+    reduce(hMin, minOp<vector>());
+    reduce(hMax, maxOp<vector>());
+
+    if (!hexes) return "some cells are not hexahedra with six faces";
+
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (hMax[d] - hMin[d] > positionTolerance * hMin[d])
+        {
+            return "the cell size in direction " +
+                   string(vector::componentNames[d]) + " varies between " +
+                   Foam::name(hMin[d]) + " and " + Foam::name(hMax[d]);
+        }
+        n_[d] = label(bounds.span()[d] / hMax[d] + 0.5);
+        h_[d] = bounds.span()[d] / n_[d];
+    }
+
+    // Boxes of equal size that fill the bounding box on lattice positions
+    ijk_.setSize(nCells);
+    labelVector lo(labelVector::max), hi(labelVector::min);
+    bool aligned = true;
+    for (label celli = 0; celli < nCells; ++celli)
+    {
+        const vector c(centres[celli] - origin_);
+        for (direction d = 0; d < 3; ++d)
+        {
+            const scalar at = c[d] / h_[d] - 0.5;
+            ijk_[celli][d] = label(floor(at + 0.5));
+            aligned =
+                aligned && mag(at - ijk_[celli][d]) < positionTolerance * n_[d];
+        }
+        lo = min(lo, ijk_[celli]);
+        hi = max(hi, ijk_[celli]);
+        aligned = aligned && mag(mesh.cellVolumes()[celli] / cellVolume() - 1) <
+                                 10 * positionTolerance;
+    }
+    if (nCells)
+    {
+        box_.lo = lo;
+        box_.size = hi - lo + labelVector::one;
+    }
+
+    reduce(aligned, andOp<bool>());
+    if (!aligned) return "the cells are not boxes along the coordinate axes";
+
+    const label nAll = returnReduce(nCells, sumOp<label>());
+    if (nAll != n_.x() * n_.y() * n_.z())
+    {
+        return "the " + Foam::name(nAll) +
+               " cells do not fill their bounding box of " +
+               Foam::name(n_.x()) + " x " + Foam::name(n_.y()) + " x " +
+               Foam::name(n_.z());
+    }
+
+    return string::null;
+}
+
+bool Foam::uniformGrid::lowerSide(const label facei) const
+{
+    return mesh_.faceAreas()[facei][faceDir_[facei]] < 0;
+}
+
+Foam::string Foam::uniformGrid::recogniseSides()
+{
+    const fvMesh& mesh = mesh_;
+
+    faceDir_.setSize(mesh.nFaces());
+    forAll(faceDir_, facei)
+    {
+        const vector s(cmptMag(mesh.faceAreas()[facei]));
+        faceDir_[facei] =
+            (s.x() > s.y() && s.x() > s.z()) ? 0 : (s.y() > s.z() ? 1 : 2);
+    }
+
+    // A side of the box is periodic where all its faces are coupled
+    labelVector coupled(labelVector::zero), closed(labelVector::zero);
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        forAll(pp, i)
+        {
+            const label facei = pp.start() + i;
+            const direction d = faceDir_[facei];
+            const label at = ijk_[mesh.faceOwner()[facei]][d];
+            if (at == (lowerSide(facei) ? 0 : n_[d] - 1))
+            {
+                // Between two ranks inside the box the cell is at the side
+                // only by its other face: the face position decides
+                const scalar x = mesh.faceCentres()[facei][d] - origin_[d];
+                if (x < 0.5 * h_[d] || x > (n_[d] - 0.5) * h_[d])
+                {
+                    (pp.coupled() ? coupled : closed)[d] = 1;
+                }
+            }
+        }
+    }
+    reduce(coupled, maxOp<labelVector>());
+    reduce(closed, maxOp<labelVector>());
+
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (coupled[d] && closed[d])
+        {
+            return "direction " + string(vector::componentNames[d]) +
+                   " is periodic on a part of its side only";
+        }
+        periodic_[d] = coupled[d];
+    }
+    return string::null;
+}
+
+void Foam::uniformGrid::addressFaces()
+{
+    const fvMesh& mesh = mesh_;
+    const labelUList& own = mesh.faceOwner();
+    const labelUList& nei = mesh.faceNeighbour();
+
+    for (labelList& l : lowerFace_)
+    {
+        l.setSize(mesh.nCells());
+        l = 0;
+    }
+
+    for (label facei = 0; facei < mesh.nFaces(); ++facei)
+    {
+        const direction d = faceDir_[facei];
+        const bool up = !lowerSide(facei);
+        if (facei < mesh.nInternalFaces())
+        {
+            lowerFace_[d][up ? nei[facei] : own[facei]] =
+                up ? facei + 1 : -(facei + 1);
+        }
+        else if (!up)
+        {
+            lowerFace_[d][own[facei]] = -(facei + 1);
+        }
+    }
+}
+
+void Foam::uniformGrid::require(const dictionary& dict, const string& who) const
+{
+    if (!valid())
+    {
+        FatalIOErrorInFunction(dict)
+            << who.c_str() << " needs a mesh that is one box of equal "
+            << "hexahedra along the axes, but " << reason_.c_str()
+            << exit(FatalIOError);
+    }
+}
+
+void Foam::uniformGrid::toStaggered(const surfaceScalarField& phi,
+                                    staggeredField& u) const
+{
+    const fvMesh& mesh = mesh_;
+
+    scalarField flat(mesh.nFaces(), Zero);
+    SubList<scalar>(flat, mesh.nInternalFaces()) = phi.primitiveField();
+    forAll(phi.boundaryField(), patchi)
+    {
+        const scalarField& p = phi.boundaryField()[patchi];
+        SubList<scalar>(flat, p.size(), mesh.boundaryMesh()[patchi].start()) =
+            p;
+    }
+
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar rA = 1 / faceArea(d);
+        forAll(ijk_, celli)
+        {
+            const label face = lowerFace_[d][celli];
+            u[d][box_.index(ijk_[celli])] = rA * (face > 0   ? flat[face - 1]
+                                                  : face < 0 ? -flat[-face - 1]
+                                                             : 0);
+        }
+    }
+}
+
+void Foam::uniformGrid::toFlux(const staggeredField& u,
+                               surfaceScalarField& flux) const
+{
+    const fvMesh& mesh = mesh_;
+
+    scalarField flat(mesh.nFaces(), Zero);
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar area = faceArea(d);
+        forAll(ijk_, celli)
+        {
+            const label face = lowerFace_[d][celli];
+            const scalar value = area * u[d][box_.index(ijk_[celli])];
+            if (face > 0) flat[face - 1] = value;
+            if (face < 0) flat[-face - 1] = -value;
+        }
+    }
+
+    flux.primitiveFieldRef() = SubList<scalar>(flat, mesh.nInternalFaces());
+
+    // The upper side of a coupled pair takes the (outward) flux of the lower
+    scalarField other(SubList<scalar>(
+        flat, mesh.nFaces() - mesh.nInternalFaces(), mesh.nInternalFaces()));
+    syncTools::swapBoundaryFaceList(mesh, other);
+
+    surfaceScalarField::Boundary& bf = flux.boundaryFieldRef();
+    forAll(bf, patchi)
+    {
+        const polyPatch& pp = mesh.boundaryMesh()[patchi];
+        forAll(bf[patchi], i)
+        {
+            const label facei = pp.start() + i;
+            bf[patchi][i] = !pp.coupled() ? 0
+                            : lowerSide(facei)
+                                ? flat[facei]
+                                : -other[facei - mesh.nInternalFaces()];
+        }
+    }
+}
