@@ -1,0 +1,68 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "FFTSolver.H"
+#include "boxMatrix.H"
+
+namespace Foam
+{
+defineTypeNameAndDebug(FFTSolver, 0);
+lduMatrix::solver::addsymMatrixConstructorToTable<FFTSolver> addFFTSym_;
+lduMatrix::solver::addasymMatrixConstructorToTable<FFTSolver> addFFTAsym_;
+} // namespace Foam
+
+Foam::FFTSolver::FFTSolver(const word& fieldName, const lduMatrix& matrix,
+                           const FieldField<Field, scalar>& interfaceBouCoeffs,
+                           const FieldField<Field, scalar>& interfaceIntCoeffs,
+                           const lduInterfaceFieldPtrsList& interfaces,
+                           const dictionary& solverControls)
+    : lduMatrix::solver(fieldName, matrix, interfaceBouCoeffs,
+                        interfaceIntCoeffs, interfaces, solverControls)
+{
+}
+
+Foam::solverPerformance Foam::FFTSolver::solve(scalarField& psi,
+                                               const scalarField& source,
+                                               const direction cmpt) const
+{
+    solverPerformance performance(typeName, fieldName_);
+    const boxMatrix box(*this);
+    if (!box.constant())
+    {
+        FatalErrorInFunction
+            << "FFT cannot solve for " << fieldName_ << ": "
+            << box.reason().c_str() << nl
+            << "    Use  solver PCG; preconditioner FFT;  for a symmetric "
+            << "matrix or  solver PBiCGStab; preconditioner FFT;  otherwise, "
+            << "in fvSolution" << exit(FatalError);
+    }
+
+    scalarField Apsi(psi.size()), residual(psi.size());
+    const auto updateResidual = [&]()
+    {
+        matrix_.Amul(Apsi, psi, interfaceBouCoeffs_, interfaces_, cmpt);
+        residual = source - Apsi;
+    };
+
+    updateResidual();
+    scalarField work(psi.size());
+    const scalar norm = normFactor(psi, source, Apsi, work);
+    performance.initialResidual() = gSumMag(residual) / norm;
+    performance.finalResidual() = performance.initialResidual();
+
+    while (performance.nIterations() < minIter_ ||
+           (performance.nIterations() < maxIter_ &&
+            !performance.checkConvergence(tolerance_, relTol_)))
+    {
+        box.solveWithReference(work, residual);
+        psi += work;
+        updateResidual();
+        const scalar before = performance.finalResidual();
+        performance.finalResidual() = gSumMag(residual) / norm;
+        ++performance.nIterations();
+
+        // At round-off a further pass gains nothing
+        if (performance.finalResidual() > 0.5 * before) break;
+    }
+    performance.checkConvergence(tolerance_, relTol_);
+    return performance;
+}
