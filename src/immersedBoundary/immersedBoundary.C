@@ -1,0 +1,265 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "immersedBoundary.H"
+#include "PstreamBuffers.H"
+
+Foam::immersedBoundary::immersedBoundary(const uniformGrid& grid,
+                                         const deltaKernel& kernel)
+    : grid_(grid),
+      kernel_(kernel),
+      boxes_(Pstream::nProcs())
+{
+    List<labelList> corners(Pstream::nProcs());
+    const cellBox& mine = grid.box();
+    corners[Pstream::myProcNo()] =
+        labelList({mine.lo.x(), mine.lo.y(), mine.lo.z(), mine.size.x(),
+                   mine.size.y(), mine.size.z()});
+    Pstream::gatherList(corners);
+    Pstream::scatterList(corners);
+    forAll(boxes_, proci)
+    {
+        const labelList& c = corners[proci];
+        boxes_[proci].lo = labelVector(c[0], c[1], c[2]);
+        boxes_[proci].size = labelVector(c[3], c[4], c[5]);
+    }
+}
+
+void Foam::immersedBoundary::locate(const vector& X, marker& m) const
+{
+    for (direction d = 0; d < 3; ++d)
+    {
+        const label n = grid_.n()[d];
+        const bool periodic = grid_.periodic(d);
+        const scalar x = (X[d] - grid_.origin()[d]) / grid_.h()[d];
+
+        // The faces of walls have their velocity from a boundary condition
+        kernel_.stencil(x, 0, 1, n - 1, n, periodic, m.face[d]);
+        kernel_.stencil(x, 0.5, 0, n - 1, n, periodic, m.centre[d]);
+
+        // Points of this rank only, numbered within its box
+        for (kernelStencil* s : {&m.face[d], &m.centre[d]})
+        {
+            label kept = 0;
+            for (label k = 0; k < s->size; ++k)
+            {
+                const label i = s->at[k] - grid_.box().lo[d];
+                if (i >= 0 && i < grid_.box().size[d])
+                {
+                    s->at[kept] = i;
+                    s->weight[kept] = s->weight[k];
+                    ++kept;
+                }
+            }
+            s->size = kept;
+        }
+    }
+}
+
+bool Foam::immersedBoundary::reaches(const boundBox& bounds,
+                                     const cellBox& box) const
+{
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar h = grid_.h()[d], margin = kernel_.reach() + 1;
+        const scalar lo = (bounds.min()[d] - grid_.origin()[d]) / h - margin;
+        const scalar hi = (bounds.max()[d] - grid_.origin()[d]) / h + margin;
+        const label n = grid_.n()[d];
+
+        // Some image of the box between lo and hi?
+        bool hit = false;
+        const label first =
+            grid_.periodic(d) ? label(std::floor((lo - n) / n)) : 0;
+        const label last = grid_.periodic(d) ? label(std::ceil(hi / n)) : 0;
+        for (label image = first; image <= last && !hit; ++image)
+        {
+            const scalar begin = box.lo[d] + image * n;
+            hit = begin <= hi && begin + box.size[d] >= lo;
+        }
+        if (!hit) return false;
+    }
+    return box.count() > 0;
+}
+
+Foam::List<Foam::labelList>
+Foam::immersedBoundary::route(const vectorField& X) const
+{
+    // Neighbours in the list are neighbours in space: decide for the group
+    // first, so that far ranks cost nothing per marker
+    const label group = 64;
+    List<DynamicList<label>> to(Pstream::nProcs());
+    for (label begin = 0; begin < X.size(); begin += group)
+    {
+        const label size = min(group, X.size() - begin);
+        const boundBox bounds(SubField<vector>(X, size, begin), false);
+        forAll(boxes_, proci)
+        {
+            if (!reaches(bounds, boxes_[proci])) continue;
+            for (label k = begin; k < begin + size; ++k)
+            {
+                if (reaches(boundBox(X[k], X[k]), boxes_[proci]))
+                {
+                    to[proci].append(k);
+                }
+            }
+        }
+    }
+    List<labelList> lists(Pstream::nProcs());
+    forAll(lists, proci)
+    {
+        lists[proci].transfer(to[proci]);
+    }
+    return lists;
+}
+
+void Foam::immersedBoundary::gather(const vectorField& X,
+                                    const staggeredField& u,
+                                    vectorField& U) const
+{
+    const labelVector& size = grid_.box().size;
+    marker m;
+    forAll(X, markeri)
+    {
+        locate(X[markeri], m);
+        for (direction d = 0; d < 3; ++d)
+        {
+            const kernelStencil& sx = d == 0 ? m.face[0] : m.centre[0];
+            const kernelStencil& sy = d == 1 ? m.face[1] : m.centre[1];
+            const kernelStencil& sz = d == 2 ? m.face[2] : m.centre[2];
+            scalar sum = 0;
+            for (label k = 0; k < sz.size; ++k)
+            {
+                for (label j = 0; j < sy.size; ++j)
+                {
+                    const scalar w = sy.weight[j] * sz.weight[k];
+                    const scalar* row =
+                        u[d].cdata() +
+                        size.x() * (sy.at[j] + size.y() * sz.at[k]);
+                    for (label i = 0; i < sx.size; ++i)
+                    {
+                        sum += w * sx.weight[i] * row[sx.at[i]];
+                    }
+                }
+            }
+            U[markeri][d] = sum;
+        }
+    }
+}
+
+void Foam::immersedBoundary::scatter(const vectorField& X, const vectorField& F,
+                                     staggeredField& f) const
+{
+    const labelVector& size = grid_.box().size;
+    const scalar perVolume = 1 / grid_.cellVolume();
+    marker m;
+    forAll(X, markeri)
+    {
+        locate(X[markeri], m);
+        for (direction d = 0; d < 3; ++d)
+        {
+            const kernelStencil& sx = d == 0 ? m.face[0] : m.centre[0];
+            const kernelStencil& sy = d == 1 ? m.face[1] : m.centre[1];
+            const kernelStencil& sz = d == 2 ? m.face[2] : m.centre[2];
+            const scalar density = F[markeri][d] * perVolume;
+            for (label k = 0; k < sz.size; ++k)
+            {
+                for (label j = 0; j < sy.size; ++j)
+                {
+                    const scalar w = density * sy.weight[j] * sz.weight[k];
+                    scalar* row = f[d].data() +
+                                  size.x() * (sy.at[j] + size.y() * sz.at[k]);
+                    for (label i = 0; i < sx.size; ++i)
+                    {
+                        row[sx.at[i]] += w * sx.weight[i];
+                    }
+                }
+            }
+        }
+    }
+}
+
+void Foam::immersedBoundary::interpolate(const vectorField& X,
+                                         const staggeredField& u,
+                                         vectorField& U) const
+{
+    U.setSize(X.size());
+    if (!Pstream::parRun())
+    {
+        gather(X, u, U);
+        return;
+    }
+
+    const List<labelList> to(route(X));
+    PstreamBuffers ask(Pstream::commsTypes::nonBlocking);
+    forAll(to, proci)
+    {
+        if (to[proci].size())
+        {
+            UOPstream os(proci, ask);
+            os << vectorField(X, to[proci]);
+        }
+    }
+    labelList bytes;
+    ask.finishedSends(bytes);
+
+    PstreamBuffers answer(Pstream::commsTypes::nonBlocking);
+    forAll(bytes, proci)
+    {
+        if (bytes[proci])
+        {
+            UIPstream is(proci, ask);
+            const vectorField theirX(is);
+            vectorField theirU(theirX.size());
+            gather(theirX, u, theirU);
+            UOPstream os(proci, answer);
+            os << theirU;
+        }
+    }
+    answer.finishedSends();
+
+    // Partial sums in the order of the ranks: reproducible
+    U = Zero;
+    forAll(to, proci)
+    {
+        if (to[proci].size())
+        {
+            UIPstream is(proci, answer);
+            const vectorField part(is);
+            forAll(part, k)
+            {
+                U[to[proci][k]] += part[k];
+            }
+        }
+    }
+}
+
+void Foam::immersedBoundary::spread(const vectorField& X, const vectorField& F,
+                                    staggeredField& f) const
+{
+    if (!Pstream::parRun())
+    {
+        scatter(X, F, f);
+        return;
+    }
+
+    const List<labelList> to(route(X));
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+    forAll(to, proci)
+    {
+        if (to[proci].size())
+        {
+            UOPstream os(proci, buffers);
+            os << vectorField(X, to[proci]) << vectorField(F, to[proci]);
+        }
+    }
+    labelList bytes;
+    buffers.finishedSends(bytes);
+    forAll(bytes, proci)
+    {
+        if (bytes[proci])
+        {
+            UIPstream is(proci, buffers);
+            const vectorField theirX(is), theirF(is);
+            scatter(theirX, theirF, f);
+        }
+    }
+}

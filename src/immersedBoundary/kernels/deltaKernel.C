@@ -1,0 +1,73 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "deltaKernel.H"
+#include "dictionary.H"
+#include <cmath>
+
+const Foam::Enum<Foam::deltaKernel::kernelType> Foam::deltaKernel::names({
+    {kernelType::Roma3, "Roma3"},
+    {kernelType::Peskin4, "Peskin4"},
+});
+
+Foam::deltaKernel::deltaKernel(const dictionary& dict)
+    : type_(names.lookupOrDefault("kernel", dict, kernelType::Roma3))
+{
+}
+
+Foam::scalar Foam::deltaKernel::phi(scalar r) const
+{
+    r = std::abs(r);
+    if (type_ == Roma3)
+    {
+        if (r <= 0.5) return (1 + std::sqrt(1 - 3 * r * r)) / 3;
+        if (r >= 1.5) return 0;
+        const scalar q = 1 - r;
+        return (5 - 3 * r - std::sqrt(std::max(0.0, 1 - 3 * q * q))) / 6;
+    }
+    if (r <= 1) return (3 - 2 * r + std::sqrt(1 + 4 * r * (1 - r))) / 8;
+    if (r >= 2) return 0;
+    return (5 - 2 * r - std::sqrt(std::max(0.0, -7 + 12 * r - 4 * r * r))) / 8;
+}
+
+void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
+                                const label first, const label last,
+                                const label n, const bool periodic,
+                                kernelStencil& s) const
+{
+    const scalar position = x - offset;
+    const label lowest = label(std::ceil(position - reach()));
+    const label nPoints = type_ == Roma3 ? 3 : 4;
+
+    s.size = 0;
+    bool cut = false;
+    for (label i = lowest; i < lowest + nPoints; ++i)
+    {
+        if (!periodic && (i < first || i > last))
+        {
+            cut = true;
+            continue;
+        }
+        s.at[s.size] = periodic ? ((i % n) + n) % n : i;
+        s.weight[s.size] = phi(position - i);
+        ++s.size;
+    }
+    if (!cut) return;
+
+    // weight (a + b r) with unit sum and zero first moment
+    scalar s0 = 0, s1 = 0, s2 = 0;
+    for (label k = 0; k < s.size; ++k)
+    {
+        const scalar r = s.at[k] - position, w = s.weight[k];
+        s0 += w;
+        s1 += w * r;
+        s2 += w * r * r;
+    }
+    const scalar det = s0 * s2 - s1 * s1;
+    const bool line = det > 1e-12;
+    const scalar a = line ? s2 / det : (s0 > 0 ? 1 / s0 : 0);
+    const scalar b = line ? -s1 / det : 0;
+    for (label k = 0; k < s.size; ++k)
+    {
+        s.weight[k] *= a + b * (s.at[k] - position);
+    }
+}

@@ -1,0 +1,327 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "sphericalHarmonics.H"
+#include <Eigen/Core>
+#include <cmath>
+
+namespace
+{
+using RowMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using ColMatrix = Eigen::MatrixXd;
+template<class M>
+using View = Eigen::Map<const M>;
+
+const double pi = 3.14159265358979323846;
+
+//- Gauss-Legendre nodes (as angles, increasing) and weights by Newton
+void gaussLegendre(const int n, std::vector<double>& theta,
+                   std::vector<double>& weight)
+{
+    theta.resize(n);
+    weight.resize(n);
+    for (int i = 0; i < (n + 1) / 2; ++i)
+    {
+        // Newton in the angle: no loss of digits towards the poles
+        double t = pi * (i + 0.75) / (n + 0.5), dp = 0;
+        for (int pass = 0; pass < 20; ++pass)
+        {
+            double p0 = 1, p1 = std::cos(t);
+            for (int k = 2; k <= n; ++k)
+            {
+                const double p2 =
+                    ((2 * k - 1) * std::cos(t) * p1 - (k - 1) * p0) / k;
+                p0 = p1;
+                p1 = p2;
+            }
+            // dP/dtheta
+            dp = n * (std::cos(t) * p1 - p0) / std::sin(t);
+            const double step = p1 / dp;
+            t -= step;
+            if (std::abs(step) < 1e-16) break;
+        }
+        theta[i] = t;
+        theta[n - 1 - i] = pi - t;
+        weight[i] = weight[n - 1 - i] = 2 / (dp * dp);
+    }
+}
+} // namespace
+
+Foam::sphericalHarmonics::sphericalHarmonics(const int degree, int nTheta)
+    : degree_(degree),
+      nTheta_(nTheta + nTheta % 2),
+      nPhi_(2 * nTheta_),
+      half_(nTheta_ / 2)
+{
+    const int N = degree_;
+    gaussLegendre(nTheta_, theta_, weight_);
+    for (double& w : weight_)
+    {
+        w *= 2 * pi / nPhi_;
+    }
+
+    // Within an order first the degrees symmetric about the equator
+    // (n - m even), then the others
+    int at = 0, atP = 0;
+    for (int m = 0; m <= N; ++m)
+    {
+        first_.push_back(at);
+        firstP_.push_back(atP);
+        at += (N - m + 1) * (m ? 2 : 1);
+        atP += (N - m + 1) * half_;
+    }
+
+    // P_nm normalised over cos(theta), all orders of one latitude at a time
+    p_.resize(atP);
+    dp_.resize(atP);
+    mp_.resize(atP);
+    RowMatrix P = RowMatrix::Zero(N + 2, N + 2); // (n, m)
+    for (int i = 0; i < half_; ++i)
+    {
+        const double c = std::cos(theta_[i]), s = std::sin(theta_[i]);
+        P(0, 0) = std::sqrt(0.5);
+        for (int m = 1; m <= N; ++m)
+        {
+            P(m, m) = std::sqrt((2 * m + 1.0) / (2 * m)) * s * P(m - 1, m - 1);
+        }
+        for (int m = 0; m <= N; ++m)
+        {
+            for (int n = m + 1; n <= N; ++n)
+            {
+                const double nn = double(n) * n, mm = double(m) * m;
+                const double k = (n - 1.0) * (n - 1.0);
+                P(n, m) = std::sqrt((4 * nn - 1) / (nn - mm)) *
+                          (c * P(n - 1, m) -
+                           (n - 2 < m ? 0
+                                      : std::sqrt((k - mm) / (4 * k - 1)) *
+                                            P(n - 2, m)));
+            }
+        }
+        for (int m = 0; m <= N; ++m)
+        {
+            int k = 0;
+            for (const int parity : {0, 1})
+            {
+                for (int n = m + parity; n <= N; n += 2, ++k)
+                {
+                    // The derivative from neighbouring orders: no cancellation
+                    const double up =
+                        std::sqrt((n - m) * (n + m + 1.0)) * P(n, m + 1);
+                    const double down =
+                        m ? std::sqrt((n + m) * (n - m + 1.0)) * P(n, m - 1)
+                          : -up;
+                    const int e = firstP_[m] + k * half_ + i;
+                    p_[e] = P(n, m);
+                    dp_[e] = 0.5 * (down - up);
+                    mp_[e] = m * P(n, m) / s;
+                }
+            }
+        }
+    }
+
+    trig_.resize((2 * N + 1) * nPhi_);
+    dtrig_.resize((2 * N + 1) * nPhi_);
+    for (int j = 0; j < nPhi_; ++j)
+    {
+        for (int m = 0; m <= N; ++m)
+        {
+            const double norm = 1 / std::sqrt(m ? pi : 2 * pi);
+            const double c = norm * std::cos(m * phi(j));
+            const double s = norm * std::sin(m * phi(j));
+            trig_[row(m, false) * nPhi_ + j] = c;
+            dtrig_[row(m, false) * nPhi_ + j] = -s;
+            if (m)
+            {
+                trig_[row(m, true) * nPhi_ + j] = s;
+                dtrig_[row(m, true) * nPhi_ + j] = c;
+            }
+        }
+    }
+    fourier_.resize(3 * nTheta_ * (2 * N + 1));
+}
+
+double Foam::sphericalHarmonics::phi(const int j) const
+{
+    return 2 * pi * j / nPhi_;
+}
+
+int Foam::sphericalHarmonics::index(const int n, const int m,
+                                    const bool sine) const
+{
+    const int nSymmetric = (degree_ - m) / 2 + 1;
+    const int k = (n - m) % 2 ? nSymmetric + (n - m) / 2 : (n - m) / 2;
+    return first_[m] + (m ? 2 * k + sine : k);
+}
+
+std::vector<int> Foam::sphericalHarmonics::degrees() const
+{
+    std::vector<int> d(nCoeffs());
+    for (int m = 0; m <= degree_; ++m)
+    {
+        for (int n = m; n <= degree_; ++n)
+        {
+            d[index(n, m, false)] = n;
+            if (m) d[index(n, m, true)] = n;
+        }
+    }
+    return d;
+}
+
+// Coefficients to Fourier series on each latitude. fourier: a column per
+// cos/sin of m, each 3 x nTheta. A table is symmetric about the equator for
+// even n - m, unless flip (a derivative in theta)
+void Foam::sphericalHarmonics::legendreSum(const std::vector<double>& table,
+                                           const bool flip,
+                                           const double* coeffs,
+                                           double* fourier) const
+{
+    double sums[2][6 * 512];
+    const int h = half_;
+    for (int m = 0; m <= degree_; ++m)
+    {
+        const int columns = m ? 6 : 3;
+        const int nAll = degree_ - m + 1, nSymmetric = (degree_ - m) / 2 + 1;
+        const double* c = coeffs + 3 * first_[m];
+        const double* t = table.data() + firstP_[m];
+        for (int parity = 0; parity < 2; ++parity)
+        {
+            const int begin = parity ? nSymmetric : 0;
+            const int end = parity ? nAll : nSymmetric;
+            for (int q = 0; q < columns; ++q)
+            {
+                double* __restrict__ s = sums[parity] + q * h;
+                for (int i = 0; i < h; ++i)
+                {
+                    s[i] = 0;
+                }
+                for (int n = begin; n < end; ++n)
+                {
+                    const double a = c[n * columns + q];
+                    const double* __restrict__ tn = t + n * h;
+                    for (int i = 0; i < h; ++i)
+                    {
+                        s[i] += a * tn[i];
+                    }
+                }
+            }
+        }
+        const double sign = flip ? -1 : 1;
+        for (int q = 0; q < columns; ++q)
+        {
+            double* out = fourier + (row(m, q >= 3) * 3 + q % 3) * nTheta_;
+            const double* even = sums[0] + q * h;
+            const double* odd = sums[1] + q * h;
+            for (int i = 0; i < h; ++i)
+            {
+                out[i] = even[i] + odd[i];
+                out[nTheta_ - 1 - i] = sign * (even[i] - odd[i]);
+            }
+        }
+    }
+}
+
+void Foam::sphericalHarmonics::legendreSumAdjoint(
+    const std::vector<double>& table, const bool flip, const double* fourier,
+    double* coeffs) const
+{
+    double sums[2][512];
+    const int h = half_;
+    const double sign = flip ? -1 : 1;
+    for (int m = 0; m <= degree_; ++m)
+    {
+        const int columns = m ? 6 : 3;
+        const int nAll = degree_ - m + 1, nSymmetric = (degree_ - m) / 2 + 1;
+        double* c = coeffs + 3 * first_[m];
+        const double* t = table.data() + firstP_[m];
+        for (int q = 0; q < columns; ++q)
+        {
+            const double* in = fourier + (row(m, q >= 3) * 3 + q % 3) * nTheta_;
+            for (int i = 0; i < h; ++i)
+            {
+                const double south = sign * in[nTheta_ - 1 - i];
+                sums[0][i] = in[i] + south;
+                sums[1][i] = in[i] - south;
+            }
+            for (int n = 0; n < nAll; ++n)
+            {
+                c[n * columns + q] +=
+                    View<Eigen::VectorXd>(sums[n >= nSymmetric], h)
+                        .dot(View<Eigen::VectorXd>(t + n * h, h));
+            }
+        }
+    }
+}
+
+// The longitudes as one matrix product: at these sizes faster than an FFT
+void Foam::sphericalHarmonics::fourierSum(const std::vector<double>& trig,
+                                          const double* fourier,
+                                          double* values) const
+{
+    const int k = 2 * degree_ + 1;
+    Eigen::Map<RowMatrix>(values, 3 * nTheta_, nPhi_).noalias() +=
+        View<ColMatrix>(fourier, 3 * nTheta_, k) *
+        View<RowMatrix>(trig.data(), k, nPhi_);
+}
+
+void Foam::sphericalHarmonics::fourierSumAdjoint(
+    const std::vector<double>& trig, const double* values,
+    double* fourier) const
+{
+    const int k = 2 * degree_ + 1;
+    Eigen::Map<ColMatrix>(fourier, 3 * nTheta_, k).noalias() =
+        View<RowMatrix>(values, 3 * nTheta_, nPhi_) *
+        View<RowMatrix>(trig.data(), k, nPhi_).transpose();
+}
+
+void Foam::sphericalHarmonics::values(const double* coeffs, double* x) const
+{
+    std::fill(x, x + 3 * nPoints(), 0.0);
+    legendreSum(p_, false, coeffs, fourier_.data());
+    fourierSum(trig_, fourier_.data(), x);
+}
+
+void Foam::sphericalHarmonics::gradient(const double* coeffs, double* xt,
+                                        double* xp) const
+{
+    std::fill(xt, xt + 3 * nPoints(), 0.0);
+    std::fill(xp, xp + 3 * nPoints(), 0.0);
+    legendreSum(dp_, true, coeffs, fourier_.data());
+    fourierSum(trig_, fourier_.data(), xt);
+    legendreSum(mp_, false, coeffs, fourier_.data());
+    fourierSum(dtrig_, fourier_.data(), xp);
+}
+
+void Foam::sphericalHarmonics::valuesAdjoint(const double* f,
+                                             double* coeffs) const
+{
+    std::fill(coeffs, coeffs + 3 * nCoeffs(), 0.0);
+    fourierSumAdjoint(trig_, f, fourier_.data());
+    legendreSumAdjoint(p_, false, fourier_.data(), coeffs);
+}
+
+void Foam::sphericalHarmonics::gradientAdjoint(const double* vt,
+                                               const double* vp,
+                                               double* coeffs) const
+{
+    std::fill(coeffs, coeffs + 3 * nCoeffs(), 0.0);
+    fourierSumAdjoint(trig_, vt, fourier_.data());
+    legendreSumAdjoint(dp_, true, fourier_.data(), coeffs);
+    fourierSumAdjoint(dtrig_, vp, fourier_.data());
+    legendreSumAdjoint(mp_, false, fourier_.data(), coeffs);
+}
+
+void Foam::sphericalHarmonics::analysis(const double* f, double* coeffs) const
+{
+    std::vector<double> weighted(f, f + 3 * nPoints());
+    for (int c = 0, k = 0; c < 3; ++c)
+    {
+        for (int i = 0; i < nTheta_; ++i)
+        {
+            for (int j = 0; j < nPhi_; ++j, ++k)
+            {
+                weighted[k] *= weight_[i];
+            }
+        }
+    }
+    valuesAdjoint(weighted.data(), coeffs);
+}
