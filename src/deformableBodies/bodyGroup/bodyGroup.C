@@ -1,0 +1,85 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "bodyGroup.H"
+#include "dictionaryChecks.H"
+
+namespace Foam
+{
+defineTypeNameAndDebug(bodyGroup, 0);
+defineRunTimeSelectionTable(bodyGroup, dictionary);
+} // namespace Foam
+
+Foam::bodyGroup::bodyGroup(const word& name, const dictionary& dict,
+                           const bodyScene& scene)
+    : name_(name),
+      nBodies_(0),
+      scene_(scene)
+{
+    nBodies_ = readPositions(dict).size();
+    DynamicList<label> mine;
+    for (label i = 0; i < nBodies_; ++i)
+    {
+        if (i % Pstream::nProcs() == Pstream::myProcNo()) mine.append(i);
+    }
+    mine_.transfer(mine);
+}
+
+Foam::autoPtr<Foam::bodyGroup> Foam::bodyGroup::New(const word& name,
+                                                    const dictionary& dict,
+                                                    const bodyScene& scene)
+{
+    const word type(dict.get<word>("type"));
+    auto cstr = dictionaryConstructorTablePtr_->cfind(type);
+    if (!cstr.found())
+    {
+        FatalIOErrorInFunction(dict)
+            << "entry type has the value " << type << nl << "    allowed: "
+            << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
+            << exit(FatalIOError);
+    }
+    return cstr()(name, dict, scene);
+}
+
+Foam::pointField Foam::bodyGroup::readPositions(const dictionary& dict) const
+{
+    const pointField positions(dict.lookup("positions"));
+    if (positions.empty())
+    {
+        refuse(dict, "positions", "()", "at least one point, ((x y z) ...)");
+    }
+    const boundBox box(scene_.grid.origin(),
+                       scene_.grid.origin() + scene_.grid.length());
+    forAll(positions, i)
+    {
+        if (!box.contains(positions[i]))
+        {
+            FatalIOErrorInFunction(dict)
+                << "entry positions: body " << i << " at " << positions[i]
+                << " lies outside the box" << nl << "    allowed: points in "
+                << box.min() << " to " << box.max() << exit(FatalIOError);
+        }
+    }
+    return positions;
+}
+
+Foam::label Foam::bodyGroup::byAccuracy(const dictionary& dict,
+                                        const word& name, const label draft,
+                                        const label standard,
+                                        const label reference) const
+{
+    const word& a = scene_.accuracy;
+    return dict.getOrDefault<label>(name, a == "draft"       ? draft
+                                          : a == "reference" ? reference
+                                                             : standard);
+}
+
+Foam::scalar Foam::bodyGroup::byAccuracy(const dictionary& dict,
+                                         const word& name, const scalar draft,
+                                         const scalar standard,
+                                         const scalar reference) const
+{
+    const word& a = scene_.accuracy;
+    return dict.getOrDefault<scalar>(name, a == "draft"       ? draft
+                                           : a == "reference" ? reference
+                                                              : standard);
+}

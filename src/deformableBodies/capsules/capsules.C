@@ -1,0 +1,286 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "capsules.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryChecks.H"
+#include <cmath>
+
+namespace Foam
+{
+defineTypeNameAndDebug(capsules, 0);
+addToRunTimeSelectionTable(bodyGroup, capsules, dictionary);
+} // namespace Foam
+
+Foam::capsules::capsules(const word& name, const dictionary& dict,
+                         const bodyScene& scene)
+    : bodyGroup(name, dict, scene)
+{
+    checkEntries(dict, {"type", "shape", "positions", "membrane", "harmonics",
+                        "dealiasing", "markerSpacing", "shearPlane"});
+
+    const dictionary& shape = dict.subDict("shape");
+    checkEntries(shape, {"type", "radius"});
+    if (shape.get<word>("type") != "sphere")
+    {
+        refuse(shape, "type", shape.get<word>("type"), "sphere");
+    }
+    radius_ = readPositive(shape, "radius", dimLength);
+
+    const label degree = byAccuracy(dict, "harmonics", 12, 16, 24);
+    if (degree < 4 || degree > 64)
+    {
+        refuse(dict, "harmonics", Foam::name(degree), "4 to 64");
+    }
+    const scalar dealiasing = dict.getOrDefault<scalar>("dealiasing", 1.5);
+    if (dealiasing < 1 || dealiasing > 4)
+    {
+        refuse(dict, "dealiasing", Foam::name(dealiasing), "1 to 4");
+    }
+    const scalar spacing = byAccuracy(dict, "markerSpacing", 0.9, 0.7, 0.5);
+    if (spacing < 0.1 || spacing > 1)
+    {
+        refuse(dict, "markerSpacing", Foam::name(spacing), "0.1 to 1");
+    }
+
+    const wordList plane(dict.getOrDefault<wordList>("shearPlane", {"x", "y"}));
+    if (plane.size() != 2 || plane[0] == plane[1])
+    {
+        refuse(dict, "shearPlane", Foam::name(plane.size()) + " words",
+               "two different ones of x y z");
+    }
+    forAll(plane, k)
+    {
+        const label d = wordList({"x", "y", "z"}).find(plane[k]);
+        if (d < 0) refuse(dict, "shearPlane", plane[k], "two of x y z");
+        shearPlane_[k] = d;
+    }
+
+    // Markers: the sphere's circumference in h, stretched by a quarter
+    const scalar h = cmptMin(scene.grid.h());
+    const label nTheta =
+        max(degree + 1, label(std::ceil(1.25 * constant::mathematical::pi *
+                                        radius_ / (spacing * h))));
+    if (nTheta > 1000)
+    {
+        refuse(shape, "radius", Foam::name(radius_),
+               "radii below " + Foam::name(radius_ * 1000 / nTheta) +
+                   " on this mesh (1000 rings of markers)");
+    }
+    markerGrid_.reset(new sphericalHarmonics(degree, nTheta));
+
+    {
+        const sphericalHarmonics basis(degree, degree + 1);
+        coeffs_.resize(3 * basis.nCoeffs());
+    }
+    const numbers stressFree(sphere(point::zero));
+    membrane_.reset(new membrane(degree, label(dealiasing * degree) + 1,
+                                 dict.subDict("membrane"), stressFree));
+
+    xt_.resize(3 * membrane_->harmonics().nPoints());
+    xp_.resize(xt_.size());
+    onGrid_.resize(xt_.size());
+    onMarkers_.resize(3 * markerGrid_->nPoints());
+
+    const geometry reference(measure(stressFree));
+    referenceVolume_ = reference.volume;
+    referenceArea_ = reference.area;
+
+    const pointField positions(readPositions(dict));
+    forAll(positions, bodyi)
+    {
+        const numbers x(sphere(positions[bodyi]));
+        checkFits(dict, bodyi, x);
+        if (mine().found(bodyi))
+        {
+            capsule c;
+            c.x = c.xMid = x;
+            c.velocity.assign(x.size(), 0);
+            capsules_.push_back(c);
+        }
+    }
+
+    scene_.effects.declare("membrane", true,
+                           dict.subDict("membrane").get<word>("law") +
+                               ", N = " + Foam::name(degree) + ", " +
+                               Foam::name(nBodies()) + " capsules, " +
+                               Foam::name(markerGrid_->nPoints()) +
+                               " markers each");
+    scene_.effects.declare("bending", false, "no bending modulus given");
+    scene_.effects.declare("viscosityRatio", false, "same fluid inside");
+}
+
+Foam::capsules::numbers Foam::capsules::sphere(const point& centre) const
+{
+    const sphericalHarmonics& grid = *markerGrid_;
+    numbers values(3 * grid.nPoints()), x(coeffs_.size());
+    for (label k = 0; k < grid.nPoints(); ++k)
+    {
+        const double t = grid.theta(k / grid.nPhi());
+        const double p = grid.phi(k % grid.nPhi());
+        const vector e(std::sin(t) * std::cos(p), std::sin(t) * std::sin(p),
+                       std::cos(t));
+        for (direction d = 0; d < 3; ++d)
+        {
+            values[d * grid.nPoints() + k] = centre[d] + radius_ * e[d];
+        }
+    }
+    grid.analysis(values.data(), x.data());
+    return x;
+}
+
+void Foam::capsules::checkFits(const dictionary& dict, const label body,
+                               const numbers& x) const
+{
+    vectorField points(markerGrid_->nPoints());
+    atMarkers(x, points.data(), 1);
+    const boundBox bounds(points, false);
+    const vector length(scene_.grid.length());
+    const vector lo(scene_.grid.origin()), hi(lo + length);
+    for (direction d = 0; d < 3; ++d)
+    {
+        const string name(vector::componentNames[d]);
+        if (bounds.span()[d] >= length[d])
+        {
+            FatalIOErrorInFunction(dict)
+                << "body " << body << " is larger than the box: it spans "
+                << bounds.span()[d] << " in direction " << name.c_str() << nl
+                << "    allowed: less than " << length[d] << exit(FatalIOError);
+        }
+        if (!scene_.grid.periodic(d) &&
+            (bounds.min()[d] < lo[d] || bounds.max()[d] > hi[d]))
+        {
+            FatalIOErrorInFunction(dict)
+                << "entry positions: body " << body
+                << " reaches through a wall of the box: it extends from "
+                << bounds.min()[d] << " to " << bounds.max()[d]
+                << " in direction " << name.c_str() << nl
+                << "    allowed: " << lo[d] << " to " << hi[d]
+                << exit(FatalIOError);
+        }
+    }
+}
+
+Foam::label Foam::capsules::nMarkers() const
+{
+    return label(capsules_.size()) * markerGrid_->nPoints();
+}
+
+void Foam::capsules::atMarkers(const numbers& coeffs, vector* v,
+                               const scalar factor) const
+{
+    const label n = markerGrid_->nPoints();
+    markerGrid_->values(coeffs.data(), onMarkers_.data());
+    for (label k = 0; k < n; ++k)
+    {
+        v[k] = factor *
+               vector(onMarkers_[k], onMarkers_[n + k], onMarkers_[2 * n + k]);
+    }
+}
+
+void Foam::capsules::markers(vector* X) const
+{
+    for (const capsule& c : capsules_)
+    {
+        atMarkers(c.x, X, 1);
+        X += markerGrid_->nPoints();
+    }
+}
+
+void Foam::capsules::volumeGradient(const numbers& x, numbers& g) const
+{
+    const sphericalHarmonics& grid = membrane_->harmonics();
+    const label n = grid.nPoints();
+    grid.gradient(x.data(), xt_.data(), xp_.data());
+    for (label k = 0; k < n; ++k)
+    {
+        for (label c = 0; c < 3; ++c)
+        {
+            const label a = ((c + 1) % 3) * n + k, b = ((c + 2) % 3) * n + k;
+            onGrid_[c * n + k] = xt_[a] * xp_[b] - xt_[b] * xp_[a];
+        }
+    }
+    grid.analysis(onGrid_.data(), g.data());
+}
+
+Foam::string Foam::capsules::move(const vector* U, const scalar dt)
+{
+    const auto timing(scene_.effects.time("membrane"));
+    const label n = markerGrid_->nPoints();
+    numbers velocity(coeffs_.size()), g(coeffs_.size());
+    string trouble;
+
+    for (size_t i = 0; i < capsules_.size(); ++i, U += n)
+    {
+        capsule& c = capsules_[i];
+        for (label k = 0; k < n; ++k)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                onMarkers_[d * n + k] = U[k][d];
+            }
+        }
+        markerGrid_->analysis(onMarkers_.data(), velocity.data());
+
+        // Zero net flow through the membrane, int U.n dS = 0: the change of
+        // the enclosed volume is g.v
+        volumeGradient(c.x, g);
+        double gv = 0, gg = 0;
+        for (size_t j = 0; j < g.size(); ++j)
+        {
+            gv += g[j] * velocity[j];
+            gg += g[j] * g[j];
+        }
+        const double r = c.lastDeltaT > 0 ? dt / c.lastDeltaT : 0;
+        bool finite = true;
+        for (size_t j = 0; j < g.size(); ++j)
+        {
+            velocity[j] -= gv / gg * g[j];
+            const double step =
+                dt * ((1 + 0.5 * r) * velocity[j] - 0.5 * r * c.velocity[j]);
+            finite = finite && std::abs(step) < GREAT;
+            coeffs_[j] = c.x[j] + step;
+            c.xMid[j] = c.x[j] + 0.5 * step;
+        }
+
+        // The last good state stays in place where the new one is none
+        const double stretch =
+            finite ? membrane_->maxStretch(coeffs_.data()) : 0;
+        if (!finite || !(stretch < 50))
+        {
+            trouble = "body " + Foam::name(mine()[i]) + " of group " + name() +
+                      (finite ? ": largest stretch " + Foam::name(stretch) +
+                                    ", limit 50"
+                              : string(": marker velocity is not finite"));
+            c.xMid = c.x;
+            continue;
+        }
+        c.x = coeffs_;
+        c.velocity = velocity;
+        c.lastDeltaT = dt;
+    }
+    return trouble;
+}
+
+void Foam::capsules::loads(vector* X, vector* F)
+{
+    const auto timing(scene_.effects.time("membrane"));
+    const label n = markerGrid_->nPoints();
+    for (const capsule& c : capsules_)
+    {
+        atMarkers(c.xMid, X, 1);
+        membrane_->load(c.xMid.data(), coeffs_.data());
+        atMarkers(coeffs_, F, -1);
+        for (label k = 0; k < n; ++k)
+        {
+            F[k] *= markerGrid_->weight(k);
+        }
+        X += n;
+        F += n;
+    }
+}
+
+Foam::scalar Foam::capsules::maxDeltaT() const
+{
+    return 2.3 / membrane_->harmonics().degree() * scene_.mu * radius_ /
+           membrane_->model().shearModulus();
+}

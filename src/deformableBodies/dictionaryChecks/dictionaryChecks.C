@@ -1,0 +1,35 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "dictionaryChecks.H"
+
+void Foam::checkEntries(const dictionary& dict, const wordList& allowed)
+{
+    for (const word& key : dict.toc())
+    {
+        if (!allowed.found(key))
+        {
+            FatalIOErrorInFunction(dict)
+                << "unknown entry " << key << " in " << dict.name() << nl
+                << "    allowed: " << flatOutput(allowed) << exit(FatalIOError);
+        }
+    }
+}
+
+void Foam::refuse(const dictionary& dict, const word& name, const string& value,
+                  const string& allowed)
+{
+    FatalIOErrorInFunction(dict)
+        << "entry " << name << " has the value " << value.c_str() << nl
+        << "    allowed: " << allowed.c_str() << exit(FatalIOError);
+}
+
+Foam::scalar Foam::readPositive(const dictionary& dict, const word& name,
+                                const dimensionSet& dims)
+{
+    const scalar value = dimensionedScalar(name, dims, dict).value();
+    if (!(value > 0))
+    {
+        refuse(dict, name, Foam::name(value), "numbers greater than 0");
+    }
+    return value;
+}
