@@ -63,7 +63,7 @@ Foam::scalarList Foam::capsules::sample(const label i) const
             m.volume / referenceVolume_,
             m.area / referenceArea_,
             (length - breadth) / (length + breadth),
-            radToDeg(0.5 * std::atan2(2 * fg, ff - gg)),
+            90 / constant::mathematical::pi * std::atan2(2 * fg, ff - gg),
             length,
             breadth,
             membrane_->energy(x.data()),
