@@ -24,6 +24,16 @@ Foam::bodyGroup::bodyGroup(const word& name, const dictionary& dict,
     mine_.transfer(mine);
 }
 
+bool Foam::bodyGroup::readTwoWay(const dictionary& dict, const word& otherwise)
+{
+    const word coupling(dict.getOrDefault<word>("coupling", otherwise));
+    if (coupling != "twoWay" && coupling != "oneWay")
+    {
+        refuse(dict, "coupling", coupling, "(oneWay twoWay)");
+    }
+    return coupling == "twoWay";
+}
+
 Foam::autoPtr<Foam::bodyGroup> Foam::bodyGroup::New(const word& name,
                                                     const dictionary& dict,
                                                     const bodyScene& scene)

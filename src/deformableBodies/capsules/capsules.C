@@ -15,8 +15,9 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
                          const bodyScene& scene)
     : bodyGroup(name, dict, scene)
 {
-    checkEntries(dict, {"type", "shape", "positions", "membrane", "harmonics",
-                        "dealiasing", "markerSpacing", "shearPlane"});
+    checkEntries(dict,
+                 {"type", "shape", "positions", "membrane", "harmonics",
+                  "dealiasing", "markerSpacing", "shearPlane", "coupling"});
 
     const dictionary& shape = dict.subDict("shape");
     checkEntries(shape, {"type", "radius"});

@@ -1,0 +1,211 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "bodyCollection.H"
+#include "dictionaryChecks.H"
+#include "fvc.H"
+
+namespace Foam
+{
+defineTypeNameAndDebug(bodyCollection, 0);
+}
+
+Foam::bodyCollection::bodyCollection(const fvMesh& mesh)
+    : regIOobject(IOobject("deformableBodies", mesh.time().timeName(),
+                           "uniform", mesh, IOobject::NO_READ,
+                           IOobject::AUTO_WRITE)),
+      mesh_(mesh),
+      grid_(uniformGrid::New(mesh)),
+      effects_(mesh.time()),
+      forceFlux_(IOobject("bodyForceFlux", mesh.time().timeName(), mesh), mesh,
+                 dimensionedScalar(dimAcceleration * dimArea, Zero)),
+      faceValues_(grid_.box())
+{
+    IOobject io("deformableBodies", mesh.time().constant(), mesh,
+                IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    if (!io.typeHeaderOk<IOdictionary>(true))
+    {
+        effects_.declare("bodies", false, "no constant/deformableBodies");
+        return;
+    }
+    const IOdictionary dict(io);
+    grid_.require(dict, "deformableBodies");
+    read(dict);
+    readState();
+    sample();
+    draw();
+}
+
+Foam::bodyCollection& Foam::bodyCollection::New(const fvMesh& mesh)
+{
+    bodyCollection* found =
+        mesh.thisDb().getObjectPtr<bodyCollection>("deformableBodies");
+    if (!found)
+    {
+        found = new bodyCollection(mesh);
+        found->store();
+    }
+    return *found;
+}
+
+Foam::bodyCollection::~bodyCollection()
+{
+    effects_.printCost();
+}
+
+void Foam::bodyCollection::read(const IOdictionary& dict)
+{
+    checkEntries(dict, {"FoamFile", "bodies", "sampleInterval", "accuracy",
+                        "kernel", "coupling"});
+
+    sampleInterval_ = dict.getOrDefault<label>("sampleInterval", 1);
+    if (sampleInterval_ < 1)
+    {
+        refuse(dict, "sampleInterval", Foam::name(sampleInterval_),
+               "1 and greater");
+    }
+    const word accuracy(dict.getOrDefault<word>("accuracy", "standard"));
+    if (!wordList({"draft", "standard", "reference"}).found(accuracy))
+    {
+        refuse(dict, "accuracy", accuracy, "(draft standard reference)");
+    }
+
+    const IOdictionary transport(
+        IOobject("transportProperties", mesh_.time().constant(), mesh_,
+                 IOobject::MUST_READ, IOobject::NO_WRITE, false));
+    rho_ = readPositive(transport, "rho", dimDensity);
+    const scalar nu = readPositive(transport, "nu", dimViscosity);
+
+    boundary_.reset(new immersedBoundary(grid_, deltaKernel(dict)));
+
+    const bool twoWay = bodyGroup::readTwoWay(dict, "twoWay");
+    const bodyScene scene{
+        grid_,   rho_, rho_ * nu, accuracy, twoWay ? "twoWay" : "oneWay",
+        effects_};
+    bool feedback = false;
+    const dictionary& bodies = dict.subDict("bodies");
+    for (const word& name : bodies.toc())
+    {
+        groups_.append(bodyGroup::New(name, bodies.subDict(name), scene).ptr());
+        feedback = feedback || groups_.last().twoWay();
+    }
+
+    effects_.declare("interpolation", !empty(),
+                     deltaKernel::names[boundary_->kernel().type()] +
+                         " kernel at face centres");
+    effects_.declare("spreading", feedback,
+                     feedback ? "loads act on the fluid" : "coupling oneWay");
+    effects_.declare("interactions", false, "none given");
+
+    // A state of the same size as n+1/2 of these would be lost work
+    label n = 0;
+    forAll(groups_, g)
+    {
+        n += groups_[g].nMarkers();
+    }
+    X_.setSize(n);
+    U_.setSize(n);
+    F_.setSize(n);
+}
+
+Foam::scalar Foam::bodyCollection::maxDeltaT() const
+{
+    scalar limit = GREAT;
+    forAll(groups_, g)
+    {
+        limit = min(limit, groups_[g].maxDeltaT());
+    }
+    return limit;
+}
+
+void Foam::bodyCollection::advance(const surfaceScalarField& phi)
+{
+    const Time& time = mesh_.time();
+    if (empty() || lastAdvanced_ == time.timeIndex()) return;
+
+    if (lastAdvanced_ < 0)
+    {
+        effects_.printEffects();
+        if (time.deltaTValue() > maxDeltaT())
+        {
+            Info << "--> Note: deltaT " << time.deltaTValue()
+                 << " is above the estimate " << maxDeltaT()
+                 << " for the stiffest body; if bodies diverge, reduce it" << nl
+                 << endl;
+        }
+    }
+    lastAdvanced_ = time.timeIndex();
+
+    {
+        const auto timing(effects_.time("interpolation"));
+        label at = 0;
+        forAll(groups_, g)
+        {
+            groups_[g].markers(X_.data() + at);
+            at += groups_[g].nMarkers();
+        }
+        grid_.toStaggered(phi, faceValues_);
+        boundary_->interpolate(X_, faceValues_, U_);
+    }
+
+    label at = 0, used = 0;
+    string trouble;
+    forAll(groups_, g)
+    {
+        bodyGroup& group = groups_[g];
+        const string t(group.move(U_.cdata() + at, time.deltaTValue()));
+        if (trouble.empty()) trouble = t;
+        at += group.nMarkers();
+
+        if (group.twoWay())
+        {
+            group.loads(X_.data() + used, F_.data() + used);
+            used += group.nMarkers();
+        }
+    }
+    if (returnReduce(!trouble.empty(), orOp<bool>())) stop(trouble);
+
+    faceValues_.clear();
+    if (returnReduce(used, maxOp<label>()))
+    {
+        const auto timing(effects_.time("spreading"));
+        const scalar perMass = 1 / rho_;
+        for (label k = 0; k < used; ++k)
+        {
+            F_[k] *= perMass;
+        }
+        boundary_->spread(vectorField(SubField<vector>(X_, used)),
+                          vectorField(SubField<vector>(F_, used)), faceValues_);
+        grid_.toFlux(faceValues_, forceFlux_);
+    }
+
+    if (++samples_ % sampleInterval_ == 0) sample();
+}
+
+void Foam::bodyCollection::stop(const string& trouble)
+{
+    List<string> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = trouble;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+
+    Time& time = const_cast<Time&>(mesh_.time());
+    Info << "Writing the state before the stop" << endl;
+    time.writeNow();
+    for (const string& t : all)
+    {
+        if (!t.empty())
+        {
+            FatalErrorInFunction
+                << "a body diverged at time " << time.timeName() << ": "
+                << t.c_str() << nl
+                << "    The last good state of the bodies has been written to "
+                << time.timeName() << "; a smaller deltaT may help"
+                << exit(FatalError);
+        }
+    }
+}
+
+Foam::tmp<Foam::volVectorField> Foam::bodyCollection::cellForce() const
+{
+    return fvc::reconstruct(forceFlux_);
+}

@@ -1,0 +1,44 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "deformableBodiesSource.H"
+#include "addToRunTimeSelectionTable.H"
+#include "bodyCollection.H"
+#include "fvMatrices.H"
+
+namespace Foam
+{
+namespace fv
+{
+defineTypeNameAndDebug(deformableBodiesSource, 0);
+addToRunTimeSelectionTable(option, deformableBodiesSource, dictionary);
+} // namespace fv
+} // namespace Foam
+
+Foam::fv::deformableBodiesSource::deformableBodiesSource(const word& name,
+                                                         const word& modelType,
+                                                         const dictionary& dict,
+                                                         const fvMesh& mesh)
+    : option(name, modelType, dict, mesh),
+      phiName_(coeffs_.getOrDefault<word>("phi", "phi")),
+      bodies_(bodyCollection::New(mesh))
+{
+    fieldNames_.setSize(1, coeffs_.getOrDefault<word>("U", "U"));
+    applied_.setSize(1, false);
+}
+
+void Foam::fv::deformableBodiesSource::addSup(fvMatrix<vector>& eqn,
+                                              const label)
+{
+    if (bodies_.isBalancedBySolver() || bodies_.empty()) return;
+
+    const auto& phi = mesh_.lookupObject<surfaceScalarField>(phiName_);
+    if (phi.dimensions() != dimVolume / dimTime)
+    {
+        FatalErrorInFunction
+            << "deformableBodies needs a volumetric flux (an incompressible "
+            << "solver), but " << phiName_ << " has dimensions "
+            << phi.dimensions() << exit(FatalError);
+    }
+    bodies_.advance(phi);
+    eqn += bodies_.cellForce();
+}
