@@ -1,0 +1,94 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+/*
+Application
+    deformableBodyFoam
+
+Description
+    Incompressible viscous flow that carries deformable bodies, coupled by the
+    immersed boundary method. Derived from pimpleFoam: the same PIMPLE
+    algorithm and turbulence models, on a static mesh. Bodies move with the
+    velocity of the last step and act at the faces, where their force is
+    balanced against the pressure gradient:
+
+        ddt(U) + div(phi, U) - div(nu grad(U)) = -grad(p) + f
+
+    Without constant/deformableBodies it is pimpleFoam on a static mesh.
+
+Usage
+    \verbatim
+    foamJob -wait deformableBodyFoam
+    decomposePar; foamJob -parallel -wait deformableBodyFoam
+    \endverbatim
+
+    Fields U and p as for pimpleFoam; bodies as described in bodyCollection.H.
+*/
+
+#include "fvCFD.H"
+#include "singlePhaseTransportModel.H"
+#include "turbulentTransportModel.H"
+#include "pimpleControl.H"
+#include "fvOptions.H"
+#include "bodyCollection.H"
+#include "runProgress.H"
+
+int main(int argc, char* argv[])
+{
+    argList::addNote("Transient solver for incompressible flow with deformable"
+                     " bodies (capsules) by the immersed boundary method.");
+
+    #include "postProcess.H"
+
+    #include "addCheckCaseOptions.H"
+    #include "setRootCaseLists.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+    #include "createControl.H"
+    #include "createTimeControls.H"
+    #include "initContinuityErrs.H"
+    #include "createFields.H"
+    #include "createBodies.H"
+    #include "CourantNo.H"
+    #include "setInitialDeltaT.H"
+
+    turbulence->validate();
+
+    Info<< "\nStarting time loop\n" << endl;
+
+    while (runTime.run())
+    {
+        #include "readTimeControls.H"
+        #include "CourantNo.H"
+        #include "setBodyDeltaT.H"
+
+        ++runTime;
+
+        Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        bodies.advance(phi);
+
+        while (pimple.loop())
+        {
+            #include "UEqn.H"
+
+            while (pimple.correct())
+            {
+                #include "pEqn.H"
+            }
+
+            if (pimple.turbCorr())
+            {
+                laminarTransport.correct();
+                turbulence->correct();
+            }
+        }
+
+        runTime.write();
+
+        progress.print();
+        runTime.printExecutionTime(Info);
+    }
+
+    Info<< "End\n" << endl;
+
+    return 0;
+}
