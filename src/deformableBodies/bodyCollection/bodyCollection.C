@@ -20,6 +20,8 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh)
                  dimensionedScalar(dimAcceleration * dimArea, Zero)),
       faceValues_(grid_.box())
 {
+    forceFlux_.setOriented();
+
     IOobject io("deformableBodies", mesh.time().constant(), mesh,
                 IOobject::MUST_READ, IOobject::NO_WRITE, false);
     if (!io.typeHeaderOk<IOdictionary>(true))
@@ -54,7 +56,7 @@ Foam::bodyCollection::~bodyCollection()
 
 void Foam::bodyCollection::read(const IOdictionary& dict)
 {
-    checkEntries(dict, {"FoamFile", "bodies", "sampleInterval", "accuracy",
+    checkEntries(dict, {"FoamFile", "variables", "bodies", "sampleInterval", "accuracy",
                         "kernel", "coupling"});
 
     sampleInterval_ = dict.getOrDefault<label>("sampleInterval", 1);
