@@ -196,6 +196,9 @@ void Foam::uniformGrid::toStaggered(const surfaceScalarField& phi,
 {
     const fvMesh& mesh = mesh_;
 
+    // Places of other ranks' cells may hold what was spread there
+    if (ijk_.size() < box_.count()) u.clear();
+
     scalarField flat(mesh.nFaces(), Zero);
     SubList<scalar>(flat, mesh.nInternalFaces()) = phi.primitiveField();
     forAll(phi.boundaryField(), patchi)

@@ -1,0 +1,45 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+// Unit tests; they run in a case that holds a mesh (see ./run), on any number
+// of ranks:  deformableBodiesUnitTests -case <case> [--gtest_filter=...]
+
+#include "argList.H"
+#include "Time.H"
+#include "unitTest.H"
+
+static const Foam::fvMesh* theMesh = nullptr;
+
+const Foam::fvMesh& test::mesh()
+{
+    return *theMesh;
+}
+
+int main(int argc, char* argv[])
+{
+    using namespace Foam;
+
+    ::testing::InitGoogleTest(&argc, argv);
+    argList::noBanner();
+    argList args(argc, argv);
+    Time runTime(Time::controlDictName, args);
+    fvMesh mesh(IOobject(fvMesh::defaultRegion, runTime.timeName(), runTime,
+                         IOobject::MUST_READ));
+    theMesh = &mesh;
+
+    // Errors that tests provoke are caught
+    FatalError.throwExceptions();
+    FatalIOError.throwExceptions();
+
+    if (!Pstream::master())
+    {
+        auto& listeners = ::testing::UnitTest::GetInstance()->listeners();
+        delete listeners.Release(listeners.default_result_printer());
+    }
+
+    int failed = RUN_ALL_TESTS();
+    reduce(failed, maxOp<int>());
+
+    // "return 1" would end in exit status 0 on v1912
+    if (failed) Pstream::exit(1);
+    return 0;
+}

@@ -1,0 +1,170 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "unitTest.H"
+#include "dictionary.H"
+#include "immersedBoundary.H"
+
+using namespace Foam;
+
+namespace
+{
+const uniformGrid& grid()
+{
+    return uniformGrid::New(test::mesh());
+}
+
+//- Markers of this rank, anywhere in the box and beyond its periodic sides
+vectorField randomMarkers(const label n)
+{
+    Random random(7 + Pstream::myProcNo());
+    vectorField X(n);
+    for (vector& x : X)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            const scalar s = random.sample01<scalar>();
+            x[d] = grid().origin()[d] +
+                   grid().length()[d] * (grid().periodic(d) ? 3 * s - 1 : s);
+        }
+    }
+    return X;
+}
+
+vectorField randomVectors(const label n, const label seed)
+{
+    Random random(seed + Pstream::myProcNo());
+    vectorField v(n);
+    for (vector& x : v)
+    {
+        x = 2 * random.sample01<vector>() - vector::one;
+    }
+    return v;
+}
+
+//- Position of a staggered point
+point facePoint(const labelVector& ijk, const direction d)
+{
+    point p(grid().origin());
+    for (direction e = 0; e < 3; ++e)
+    {
+        p[e] += (ijk[e] + (e == d ? 0 : 0.5)) * grid().h()[e];
+    }
+    return p;
+}
+
+//- Sum of a component over the cells of all ranks
+template<class Values>
+scalar sumOfCells(Values value)
+{
+    scalar sum = 0;
+    for (const labelVector& c : grid().ijk())
+    {
+        sum += value(grid().box().index(c));
+    }
+    return returnReduce(sum, sumOp<scalar>());
+}
+
+template<class Function>
+void fill(staggeredField& u, Function f)
+{
+    for (const labelVector& c : grid().ijk())
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            u[d][u.box().index(c)] = f(facePoint(c, d), d);
+        }
+    }
+}
+} // namespace
+
+class ImmersedBoundary
+    : public ::testing::TestWithParam<deltaKernel::kernelType>
+{
+protected:
+    immersedBoundary boundary{grid(), deltaKernel(GetParam())};
+};
+
+TEST_P(ImmersedBoundary, interpolationIsTheAdjointOfSpreading)
+{
+    const vectorField X(randomMarkers(500)), F(randomVectors(500, 11));
+    staggeredField u(grid().box()), f(grid().box());
+    fill(u,
+         [](const point& p, const direction d) { return test::noise(p, d); });
+
+    vectorField U;
+    boundary.interpolate(X, u, U);
+    boundary.spread(X, F, f);
+
+    scalar onMarkers = gSum(F & U), size = gSum(mag(F) * mag(U));
+    scalar onGrid = 0;
+    for (direction d = 0; d < 3; ++d)
+    {
+        onGrid += grid().cellVolume() *
+                  sumOfCells([&](const label i) { return u[d][i] * f[d][i]; });
+    }
+    test::expectBelow("power on markers - power on grid, relative",
+                      mag(onMarkers - onGrid) / size, 1e-13);
+}
+
+TEST_P(ImmersedBoundary, conservesForce)
+{
+    const vectorField X(randomMarkers(500)), F(randomVectors(500, 5));
+    staggeredField f(grid().box());
+    boundary.spread(X, F, f);
+    vector total(Zero);
+    for (direction d = 0; d < 3; ++d)
+    {
+        total[d] = grid().cellVolume() *
+                   sumOfCells([&](const label i) { return f[d][i]; });
+    }
+    test::expectBelow("total force spread - total of markers, relative",
+                      mag(total - gSum(F)) / gSum(mag(F)), 1e-12);
+}
+
+TEST_P(ImmersedBoundary, interpolatesLinearFieldsExactly)
+{
+    // Linear where the box is not periodic, so that walls are tested too; two
+    // cells away from the faces that carry boundary values, where a marker
+    // sees a single interior point at worst
+    vectorField X(randomMarkers(500));
+    vector slope(Zero);
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (!grid().periodic(d)) slope[d] = 1.7 - d;
+    }
+    staggeredField u(grid().box());
+    fill(u, [&](const point& p, const direction d)
+         { return 0.3 + (d + 1) * (slope & p); });
+    vectorField U;
+    boundary.interpolate(X, u, U);
+
+    scalar error = 0;
+    forAll(X, k)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            const scalar x = (X[k][d] - grid().origin()[d]) / grid().h()[d];
+            const bool single =
+                !grid().periodic(d) && (x < 1 || x > grid().n()[d] - 1);
+            if (single) continue;
+            bool nearCorner = false;
+            for (direction e = 0; e < 3; ++e)
+            {
+                const scalar y = (X[k][e] - grid().origin()[e]) / grid().h()[e];
+                nearCorner =
+                    nearCorner || (!grid().periodic(e) &&
+                                   (y < 0.01 || y > grid().n()[e] - 0.01));
+            }
+            if (nearCorner) continue;
+            error = max(error, mag(U[k][d] - 0.3 - (d + 1) * (slope & X[k])));
+        }
+    }
+    test::expectBelow("error of a linear field, also beside walls",
+                      returnReduce(error, maxOp<scalar>()), 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(kernels, ImmersedBoundary,
+                         ::testing::Values(deltaKernel::Roma3,
+                                           deltaKernel::Peskin4),
+                         [](const auto& i)
+                         { return deltaKernel::names[i.param]; });
