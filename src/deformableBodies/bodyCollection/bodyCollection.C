@@ -98,7 +98,6 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                      feedback ? "loads act on the fluid" : "coupling oneWay");
     effects_.declare("interactions", false, "none given");
 
-    // A state of the same size as n+1/2 of these would be lost work
     label n = 0;
     forAll(groups_, g)
     {

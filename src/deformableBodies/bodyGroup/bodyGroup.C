@@ -13,6 +13,7 @@ Foam::bodyGroup::bodyGroup(const word& name, const dictionary& dict,
                            const bodyScene& scene)
     : name_(name),
       nBodies_(0),
+      twoWay_(readTwoWay(dict, scene.coupling)),
       scene_(scene)
 {
     nBodies_ = readPositions(dict).size();

@@ -54,6 +54,9 @@ Foam::scalarList Foam::capsules::sample(const label i) const
     const scalar ff = s * full(f, f), gg = s * full(g, g), fg = s * full(f, g);
     const scalar half = 0.5 * (ff + gg);
     const scalar root = std::hypot(0.5 * (ff - gg), fg);
+
+    // A circle has no direction
+    const bool round = root < 1e-12 * half;
     const scalar length = std::sqrt(half + root);
     const scalar breadth = std::sqrt(max(half - root, scalar(0)));
 
@@ -63,7 +66,7 @@ Foam::scalarList Foam::capsules::sample(const label i) const
             m.volume / referenceVolume_,
             m.area / referenceArea_,
             (length - breadth) / (length + breadth),
-            90 / constant::mathematical::pi * std::atan2(2 * fg, ff - gg),
+            round ? 0 : 90 / constant::mathematical::pi * std::atan2(2 * fg, ff - gg),
             length,
             breadth,
             membrane_->energy(x.data()),

@@ -1,0 +1,94 @@
+# Sourced by the test scripts: counting, cases, and comparing numbers
+
+. "$(dirname "${BASH_SOURCE[0]}")/../bin/env" || exit 1
+runs=$DEFORMABLE_BODIES_DIR/tests/run
+
+passed=0
+failed=0
+
+# check "what" command...: one test, passed if the command succeeds
+check()
+{
+    local what=$1
+    shift
+    if "$@"
+    then
+        echo "pass: $what"
+        passed=$((passed + 1))
+    else
+        echo "FAIL: $what"
+        failed=$((failed + 1))
+    fi
+}
+
+# below "what" value limit: prints both
+below()
+{
+    check "$1: $2 (limit $3)" awk -v x="$2" -v l="$3" \
+        'BEGIN { exit !(x == x + 0 && x <= l) }'
+}
+
+# The last line of every test script: what was counted, and the exit status
+finish()
+{
+    echo "$passed passed, $failed failed"
+    [ "$failed" -eq 0 ]
+    exit
+}
+
+mpi() { timeout 900 mpirun --bind-to none --oversubscribe "$@"; }
+
+# shearCase <folder> [entry value]...: the tutorial's case, small by default
+# (a/h = 3, 20 steps), with other values in constant/scene; mesh and start
+# fields made
+shearCase()
+{
+    local dir=$1
+    shift
+    rm -rf "$dir"
+    mkdir -p "$(dirname "$dir")"
+    (cd "$DEFORMABLE_BODIES_DIR/tutorials/capsule/shear" &&
+        mkdir "$dir" && cp -r 0.orig constant system "$dir")
+    cd "$dir" || return 1
+    rm -rf constant/polyMesh
+    set -- cells 24 dt 0.01 endTime 0.2 "$@"
+    while [ $# -gt 0 ]
+    do
+        sed -i "s/^$1 .*/$1 $2;/" constant/scene
+        shift 2
+    done
+    sed -i 's/^writeInterval.*/writeInterval 0.1;/' system/controlDict
+    # Runs are compared to round-off: iterate well beyond what physics needs
+    sed -i 's/tolerance  *1e-[789];/tolerance 1e-13;/' system/fvSolution
+    cp -r 0.orig 0
+    blockMesh > log.blockMesh 2>&1 && setExprFields > log.setExprFields 2>&1
+}
+
+# parallel <n> "(nx ny nz)" <command>: decomposed copy of the case in here
+parallel()
+{
+    sed -i "s/^numberOf.*/numberOfSubdomains $1;/; s/^ *n  *(.*/    n $2;/" \
+        system/decomposeParDict
+    decomposePar -force > log.decomposePar 2>&1 &&
+        mpi -np "$1" "$3" -parallel > "log.$3" 2>&1
+}
+
+# difference <file> <file> [from time]: largest difference of two .dat files
+# over the rows of equal time and body, relative to the largest value of the
+# column (columns that are zero to round-off count absolutely)
+difference()
+{
+    "$DEFORMABLE_BODIES_DIR/bin/python" - "$@" <<'END'
+import sys
+import numpy as np
+a, b = (np.loadtxt(f, ndmin=2) for f in sys.argv[1:3])
+key = lambda r: (round(r[0], 9), int(r[1]))
+rows = {key(r): r for r in b}
+common = [(r, rows[key(r)]) for r in a if key(r) in rows]
+if not common:
+    print("nan")
+    sys.exit()
+x, y = (np.array(v)[:, 2:] for v in zip(*common))
+print("%.2e" % (np.abs(x - y) / np.maximum(np.abs(x).max(0), 1)).max())
+END
+}
