@@ -112,15 +112,31 @@ Foam::scalar Foam::membrane::load(const double* coeffs, double* q) const
     return total;
 }
 
+// Largest eigenvalue of C^a_b = A^ac a_cb. The discriminant is made of
+// differences that vanish where the stretch is isotropic; I1^2/4 - det would
+// leave the square root of round-off there
 Foam::scalar Foam::membrane::maxStretch(const double* coeffs) const
 {
     invariants(coeffs);
+    const label n = harmonics_.nPoints();
     double largest = 0;
-    for (label k = 0; k < harmonics_.nPoints(); ++k)
+    for (label k = 0; k < n; ++k)
     {
-        const double half = 0.5 * (I1_[k] + 2), det = I2_[k] + 1;
-        largest = std::max(largest,
-                           half + std::sqrt(std::max(0.0, half * half - det)));
+        double tt = 0, tp = 0, pp = 0;
+        for (label c = 0; c < 3; ++c)
+        {
+            const double t = xt_[c * n + k], p = xp_[c * n + k];
+            tt += t * t;
+            tp += t * p;
+            pp += p * p;
+        }
+        const double Att = A_[k], Atp = A_[n + k], App = A_[2 * n + k];
+        const double half =
+            0.5 * ((Att * tt + Atp * tp) - (Atp * tp + App * pp));
+        const double root2 =
+            half * half + (Att * tp + Atp * pp) * (Atp * tt + App * tp);
+        largest = std::max(largest, 0.5 * (I1_[k] + 2) +
+                                        std::sqrt(std::max(0.0, root2)));
     }
     return std::sqrt(largest);
 }
