@@ -16,12 +16,12 @@ struct spread
 {
     scalar low = GREAT, high = -GREAT, sum = 0, count = 0;
 
-    void add(const scalar x)
+    void add(const scalar x, const scalar weight = 1)
     {
         low = min(low, x);
         high = max(high, x);
-        sum += x;
-        ++count;
+        sum += weight * x;
+        count += weight;
     }
 
     bool any() const { return count > 0; }
@@ -102,17 +102,11 @@ void Foam::boxMatrix::readNeighbours(const lduMatrix::solver& s)
     if (m.hasUpper())
     {
         const scalarField& upper = m.upper();
+        const scalarField& lower = m.lower();
         forAll(upper, facei)
         {
-            entry[grid_.faceDirection(facei)].add(upper[facei]);
-        }
-    }
-    if (m.asymmetric())
-    {
-        const scalarField& lower = m.lower();
-        forAll(lower, facei)
-        {
-            entry[grid_.faceDirection(facei)].add(lower[facei]);
+            entry[grid_.faceDirection(facei)].add(upper[facei], 0.5);
+            entry[grid_.faceDirection(facei)].add(lower[facei], 0.5);
         }
     }
     forAll(s.interfaces(), patchi)
@@ -123,7 +117,9 @@ void Foam::boxMatrix::readNeighbours(const lduMatrix::solver& s)
             const label start = mesh_.boundaryMesh()[patchi].start();
             forAll(c, i)
             {
-                entry[grid_.faceDirection(start + i)].add(-c[i]);
+                // Seen from both sides: half each, so that the mean is that of
+                // the box, however it is decomposed
+                entry[grid_.faceDirection(start + i)].add(-c[i], 0.5);
             }
         }
     }
