@@ -85,7 +85,8 @@ a, b = (np.loadtxt(f, ndmin=2) for f in sys.argv[1:3])
 key = lambda r: (round(r[0], 9), int(r[1]))
 rows = {key(r): r for r in b}
 common = [(r, rows[key(r)]) for r in a if key(r) in rows]
-if not common:
+# A run that broke off is no agreement
+if not common or a[-1][0] != b[-1][0]:
     print("nan")
     sys.exit()
 x, y = (np.array(v)[:, 2:] for v in zip(*common))

@@ -15,7 +15,10 @@ const Foam::fvMesh& test::mesh()
 }
 
 // Run by tests/verification/red alone: the tests can fail
-TEST(Main, DISABLED_redIsPossible) { EXPECT_LT(2, 1); }
+TEST(Main, DISABLED_redIsPossible)
+{
+    EXPECT_LT(2, 1);
+}
 
 int main(int argc, char* argv[])
 {

@@ -14,6 +14,8 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh)
                            "uniform", mesh, IOobject::NO_READ,
                            IOobject::AUTO_WRITE)),
       mesh_(mesh),
+      startTime_(mesh.time().value()),
+      startIndex_(mesh.time().timeIndex()),
       grid_(uniformGrid::New(mesh)),
       effects_(mesh.time()),
       forceFlux_(IOobject("bodyForceFlux", mesh.time().timeName(), mesh), mesh,
@@ -27,14 +29,19 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh)
     if (!io.typeHeaderOk<IOdictionary>(true))
     {
         effects_.declare("bodies", false, "no constant/deformableBodies");
+        writeOpt() = IOobject::NO_WRITE;
         return;
     }
     const IOdictionary dict(io);
     grid_.require(dict, "deformableBodies");
+    if (mesh.dynamic())
+    {
+        FatalIOErrorInFunction(dict)
+            << "deformableBodies needs a mesh that does not move or change"
+            << exit(FatalIOError);
+    }
     read(dict);
     readState();
-    sample();
-    draw();
 }
 
 Foam::bodyCollection& Foam::bodyCollection::New(const fvMesh& mesh)
@@ -51,13 +58,23 @@ Foam::bodyCollection& Foam::bodyCollection::New(const fvMesh& mesh)
 
 Foam::bodyCollection::~bodyCollection()
 {
-    effects_.printCost();
+    // Nothing was simulated in post-processing
+    if (lastAdvanced_ >= 0) effects_.printCost();
 }
 
 void Foam::bodyCollection::read(const IOdictionary& dict)
 {
-    checkEntries(dict, {"FoamFile", "variables", "bodies", "sampleInterval", "accuracy",
-                        "kernel", "coupling"});
+    checkEntries(dict,
+                 {"FoamFile", "variables", "bodies", "sampleInterval",
+                  "accuracy", "kernel", "coupling", "interactions", "loads"});
+
+    for (const word name : {"interactions", "loads"})
+    {
+        if (dict.found(name) && !dict.subDict(name).empty())
+        {
+            refuse(dict, name, "{...}", "an empty one; not available yet");
+        }
+    }
 
     sampleInterval_ = dict.getOrDefault<label>("sampleInterval", 1);
     if (sampleInterval_ < 1)
@@ -113,28 +130,34 @@ Foam::scalar Foam::bodyCollection::maxDeltaT() const
     scalar limit = GREAT;
     forAll(groups_, g)
     {
-        limit = min(limit, groups_[g].maxDeltaT());
+        if (groups_[g].twoWay()) limit = min(limit, groups_[g].maxDeltaT());
     }
     return limit;
+}
+
+void Foam::bodyCollection::start()
+{
+    effects_.printEffects();
+    if (empty()) return;
+
+    const scalar deltaT = mesh_.time().deltaTValue();
+    if (deltaT > maxDeltaT())
+    {
+        Info << "--> Note: deltaT " << deltaT << " is above the estimate "
+             << maxDeltaT() << " for the stiffest body; if bodies diverge, "
+             << "reduce it" << nl << endl;
+    }
+    sample(startTime_);
+    draw(startTime_, startIndex_);
 }
 
 void Foam::bodyCollection::advance(const surfaceScalarField& phi)
 {
     const Time& time = mesh_.time();
-    if (empty() || lastAdvanced_ == time.timeIndex()) return;
-
-    if (lastAdvanced_ < 0)
-    {
-        effects_.printEffects();
-        if (time.deltaTValue() > maxDeltaT())
-        {
-            Info << "--> Note: deltaT " << time.deltaTValue()
-                 << " is above the estimate " << maxDeltaT()
-                 << " for the stiffest body; if bodies diverge, reduce it" << nl
-                 << endl;
-        }
-    }
+    if (lastAdvanced_ == time.timeIndex()) return;
+    if (lastAdvanced_ < 0) start();
     lastAdvanced_ = time.timeIndex();
+    if (empty()) return;
 
     {
         const auto timing(effects_.time("interpolation"));
@@ -179,7 +202,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
         grid_.toFlux(faceValues_, forceFlux_);
     }
 
-    if (++samples_ % sampleInterval_ == 0) sample();
+    if (time.timeIndex() % sampleInterval_ == 0) sample(time.value());
 }
 
 void Foam::bodyCollection::stop(const string& trouble)
@@ -190,6 +213,7 @@ void Foam::bodyCollection::stop(const string& trouble)
     Pstream::scatterList(all);
 
     Time& time = const_cast<Time&>(mesh_.time());
+    diverged_ = true;
     Info << "Writing the state before the stop" << endl;
     time.writeNow();
     for (const string& t : all)
@@ -199,9 +223,9 @@ void Foam::bodyCollection::stop(const string& trouble)
             FatalErrorInFunction
                 << "a body diverged at time " << time.timeName() << ": "
                 << t.c_str() << nl
-                << "    The last good state of the bodies has been written to "
-                << time.timeName() << "; a smaller deltaT may help"
-                << exit(FatalError);
+                << "    What it looked like has been written to time "
+                << time.timeName() << "; go on from an earlier time with a "
+                << "smaller deltaT" << exit(FatalError);
         }
     }
 }

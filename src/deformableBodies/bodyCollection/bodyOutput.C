@@ -35,13 +35,13 @@ Foam::List<Type> Foam::bodyCollection::collect(const bodyGroup& group, Get get)
     return ordered;
 }
 
-void Foam::bodyCollection::sample()
+void Foam::bodyCollection::sample(const scalar now)
 {
     const Time& time = mesh_.time();
     if (Pstream::master() && files_.empty())
     {
         const fileName dir(time.globalPath() / "postProcessing" / "bodies" /
-                           time.timeName());
+                           Time::timeName(time.startTime().value()));
         mkDir(dir);
         files_.setSize(groups_.size());
         forAll(groups_, g)
@@ -64,7 +64,7 @@ void Foam::bodyCollection::sample()
         forAll(rows, body)
         {
             std::ostringstream line;
-            line << std::setprecision(10) << time.value() << ' ' << body;
+            line << std::setprecision(10) << now << ' ' << body;
             for (const scalar x : rows[body])
             {
                 line << ' ' << x;
@@ -99,10 +99,9 @@ static List<scalarField> packed(const bodySurface& s)
 }
 } // namespace Foam
 
-void Foam::bodyCollection::draw() const
+void Foam::bodyCollection::draw(const scalar now, const label timeIndex) const
 {
-    const Time& time = mesh_.time();
-    const fileName dir(time.globalPath() / "VTK" / "bodies");
+    const fileName dir(mesh_.time().globalPath() / "VTK" / "bodies");
 
     forAll(groups_, g)
     {
@@ -154,11 +153,10 @@ void Foam::bodyCollection::draw() const
         const faceList allFaces(std::move(faces));
 
         mkDir(dir);
-        const fileName stem(dir / group.name() + "_" +
-                            Foam::name(time.timeIndex()));
+        const fileName stem(dir / group.name() + "_" + Foam::name(timeIndex));
         {
             vtk::surfaceWriter writer(points, allFaces, stem, false);
-            writer.setTime(instant(time.value(), time.timeName()));
+            writer.setTime(instant(now, Time::timeName(now)));
             writer.writeTimeValue();
             writer.writeGeometry();
             writer.beginPointData(1 + nVectors + layout.scalarNames.size());
@@ -182,8 +180,8 @@ void Foam::bodyCollection::draw() const
         // The series goes on after a restart
         const fileName seriesName(dir / group.name() + ".vtp");
         vtk::seriesWriter series;
-        series.load(seriesName, true, time.value());
-        series.append(time.value(), stem + ".vtp");
+        series.load(seriesName, true, now);
+        series.append(now, stem + ".vtp");
         series.write(seriesName);
     }
 }
@@ -210,9 +208,10 @@ bool Foam::bodyCollection::writeData(Ostream& os) const
         }
         text << ");\n";
     }
+    if (diverged_) text << "diverged true;\n";
     if (Pstream::master()) os << text.str().c_str();
 
-    draw();
+    draw(mesh_.time().value(), mesh_.time().timeIndex());
     effects_.write();
     return os.good();
 }
@@ -241,28 +240,37 @@ void Foam::bodyCollection::readState()
     {
         if (time.value() > 0)
         {
-            Info << "No saved bodies for time " << time.timeName()
-                 << ": they start from constant/deformableBodies" << nl;
+            WarningInFunction
+                << "no saved bodies (uniform/deformableBodies) for time "
+                << time.timeName()
+                << ": they start from constant/deformableBodies" << endl;
         }
         return;
     }
     Info << "Bodies continue from " << file << nl;
 
+    // All ranks need the dictionary, for their checks and messages
+    Pstream::scatter(saved);
+    saved.name() = file;
+    if (saved.getOrDefault<bool>("diverged", false))
+    {
+        FatalIOErrorInFunction(saved)
+            << "this state was written because a body diverged" << nl
+            << "    allowed: an earlier time to start from"
+            << exit(FatalIOError);
+    }
+
     forAll(groups_, g)
     {
         bodyGroup& group = groups_[g];
-        List<scalarList> states;
-        if (Pstream::master())
-        {
-            states = saved.get<List<scalarList>>(group.name());
-        }
-        Pstream::scatter(states);
+        const List<scalarList> states(
+            saved.get<List<scalarList>>(group.name()));
         if (states.size() != group.nBodies())
         {
-            FatalErrorInFunction << file << " has " << states.size()
-                                 << " bodies in group " << group.name()
-                                 << " where constant/deformableBodies has "
-                                 << group.nBodies() << exit(FatalError);
+            FatalIOErrorInFunction(saved)
+                << states.size() << " bodies in group " << group.name()
+                << " where constant/deformableBodies has " << group.nBodies()
+                << exit(FatalIOError);
         }
         forAll(group.mine(), i)
         {

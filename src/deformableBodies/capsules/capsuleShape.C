@@ -66,7 +66,9 @@ Foam::scalarList Foam::capsules::sample(const label i) const
             m.volume / referenceVolume_,
             m.area / referenceArea_,
             (length - breadth) / (length + breadth),
-            round ? 0 : 90 / constant::mathematical::pi * std::atan2(2 * fg, ff - gg),
+            round
+                ? 0
+                : 90 / constant::mathematical::pi * std::atan2(2 * fg, ff - gg),
             length,
             breadth,
             membrane_->energy(x.data()),

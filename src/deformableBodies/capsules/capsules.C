@@ -15,9 +15,13 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
                          const bodyScene& scene)
     : bodyGroup(name, dict, scene)
 {
-    checkEntries(dict,
-                 {"type", "shape", "positions", "membrane", "harmonics",
-                  "dealiasing", "markerSpacing", "shearPlane", "coupling"});
+    checkEntries(dict, {"type", "shape", "positions", "membrane", "harmonics",
+                        "dealiasing", "markerSpacing", "shearPlane", "coupling",
+                        "bending", "viscosityRatio", "prestress"});
+    requireNeutral(dict, "viscosityRatio", 1);
+    requireNeutral(dict, "prestress", 0);
+    if (dict.found("bending"))
+        requireNeutral(dict.subDict("bending"), "modulus", 0);
 
     const dictionary& shape = dict.subDict("shape");
     checkEntries(shape, {"type", "radius"});
@@ -69,10 +73,7 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
     }
     markerGrid_.reset(new sphericalHarmonics(degree, nTheta));
 
-    {
-        const sphericalHarmonics basis(degree, degree + 1);
-        coeffs_.resize(3 * basis.nCoeffs());
-    }
+    coeffs_.resize(3 * markerGrid_->nCoeffs());
     const numbers stressFree(sphere(point::zero));
     membrane_.reset(new membrane(degree, label(dealiasing * degree) + 1,
                                  dict.subDict("membrane"), stressFree));

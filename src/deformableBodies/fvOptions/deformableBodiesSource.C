@@ -32,13 +32,27 @@ void Foam::fv::deformableBodiesSource::addSup(fvMatrix<vector>& eqn,
     if (bodies_.isBalancedBySolver() || bodies_.empty()) return;
 
     const auto& phi = mesh_.lookupObject<surfaceScalarField>(phiName_);
-    if (phi.dimensions() != dimVolume / dimTime)
-    {
-        FatalErrorInFunction
-            << "deformableBodies needs a volumetric flux (an incompressible "
-            << "solver), but " << phiName_ << " has dimensions "
-            << phi.dimensions() << exit(FatalError);
-    }
+    if (phi.dimensions() != dimVolume / dimTime) refuseDensity();
     bodies_.advance(phi);
     eqn += bodies_.cellForce();
+}
+
+void Foam::fv::deformableBodiesSource::refuseDensity() const
+{
+    FatalIOErrorInFunction(dict_)
+        << "deformableBodies works in incompressible solvers only, where the "
+        << "momentum equation is divided by the density" << exit(FatalIOError);
+}
+
+void Foam::fv::deformableBodiesSource::addSup(const volScalarField&,
+                                              fvMatrix<vector>&, const label)
+{
+    refuseDensity();
+}
+
+void Foam::fv::deformableBodiesSource::addSup(const volScalarField&,
+                                              const volScalarField&,
+                                              fvMatrix<vector>&, const label)
+{
+    refuseDensity();
 }

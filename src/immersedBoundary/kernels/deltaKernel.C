@@ -10,7 +10,7 @@ const Foam::Enum<Foam::deltaKernel::kernelType> Foam::deltaKernel::names({
 });
 
 Foam::deltaKernel::deltaKernel(const dictionary& dict)
-    : type_(names.lookupOrDefault("kernel", dict, kernelType::Roma3))
+    : type_(names.getOrDefault("kernel", dict, kernelType::Roma3))
 {
 }
 
@@ -34,7 +34,10 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
                                 const label n, const bool periodic,
                                 kernelStencil& s) const
 {
-    const scalar position = x - offset;
+    // A marker that has crept up to a wall, or past it, acts on the cell there
+    const scalar position = periodic ? x - offset
+                                     : min(max(x - offset, first - scalar(0.5)),
+                                           last + scalar(0.5));
     const label lowest = label(std::ceil(position - reach()));
     const label nPoints = type_ == Roma3 ? 3 : 4;
 
@@ -62,12 +65,20 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
         s1 += w * r;
         s2 += w * r * r;
     }
+    // Where one point has all the weight the line through it is left out
     const scalar det = s0 * s2 - s1 * s1;
-    const bool line = det > 1e-12;
-    const scalar a = line ? s2 / det : (s0 > 0 ? 1 / s0 : 0);
+    const bool line = det > 1e-9 * s0 * s2;
+    const scalar a = line ? s2 / det : 1;
     const scalar b = line ? -s1 / det : 0;
+    scalar sum = 0;
     for (label k = 0; k < s.size; ++k)
     {
         s.weight[k] *= a + b * (s.at[k] - position);
+        sum += s.weight[k];
+    }
+    // The force to round-off, however ill-conditioned the line
+    for (label k = 0; k < s.size; ++k)
+    {
+        s.weight[k] /= sum;
     }
 }

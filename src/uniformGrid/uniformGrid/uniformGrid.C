@@ -2,6 +2,8 @@
 
 #include "uniformGrid.H"
 #include "syncTools.H"
+#include "cyclicPolyPatch.H"
+#include "processorPolyPatch.H"
 
 namespace Foam
 {
@@ -118,8 +120,14 @@ Foam::string Foam::uniformGrid::recogniseSides()
 
     // A side of the box is periodic where all its faces are coupled
     labelVector coupled(labelVector::zero), closed(labelVector::zero);
+    word other;
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
+        if (pp.coupled() && !isA<cyclicPolyPatch>(pp) &&
+            !isA<processorPolyPatch>(pp))
+        {
+            other = pp.name() + " is of type " + pp.type();
+        }
         forAll(pp, i)
         {
             const label facei = pp.start() + i;
@@ -140,6 +148,11 @@ Foam::string Foam::uniformGrid::recogniseSides()
     reduce(coupled, maxOp<labelVector>());
     reduce(closed, maxOp<labelVector>());
 
+    if (returnReduce(!other.empty(), orOp<bool>()))
+    {
+        return "of coupled patches it takes cyclic ones only, and patch " +
+               other;
+    }
     for (direction d = 0; d < 3; ++d)
     {
         if (coupled[d] && closed[d])
