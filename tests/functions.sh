@@ -60,6 +60,8 @@ shearCase()
     sed -i 's/^writeInterval.*/writeInterval 0.1;/' system/controlDict
     # Runs are compared to round-off: iterate well beyond what physics needs
     sed -i 's/tolerance  *1e-[789];/tolerance 1e-13;/' system/fvSolution
+    sed -i "s/^PIMPLE$/PIMPLE { flowAlgorithm ${FLOW:-auto}; } PIMPLE/" \
+        system/fvSolution
     cp -r 0.orig 0
     blockMesh > log.blockMesh 2>&1 && setExprFields > log.setExprFields 2>&1
 }

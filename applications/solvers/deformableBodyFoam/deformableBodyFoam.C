@@ -5,12 +5,16 @@ Application
 
 Description
     Incompressible viscous flow that carries deformable bodies, coupled by the
-    immersed boundary method. Derived from pimpleFoam: the same PIMPLE
-    algorithm and turbulence models, on a static mesh. Bodies move with the
-    velocity of the last step and act at the faces, where their force is
-    balanced against the pressure gradient:
+    immersed boundary method. Derived from pimpleFoam, on a static mesh:
 
         ddt(U) + div(phi, U) - div(nu grad(U)) = -grad(p) + f
+
+    Two flow algorithms, PIMPLE { flowAlgorithm auto; } in fvSolution:
+      staggered  on uniform boxes, laminar: see staggeredFlow.H
+      pimple     as pimpleFoam: any mesh, any condition, turbulence models
+      auto       staggered where it can, else pimple; the log says why
+    Bodies move with the velocity of the last step and act at the faces, where
+    their force is balanced against the pressure gradient.
 
     Without constant/deformableBodies it is pimpleFoam on a static mesh.
 
@@ -29,6 +33,8 @@ Usage
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "bodyCollection.H"
+#include "dictionaryChecks.H"
+#include "staggeredFlow.H"
 #include "runProgress.H"
 
 int main(int argc, char* argv[])
@@ -47,6 +53,7 @@ int main(int argc, char* argv[])
     #include "initContinuityErrs.H"
     #include "createFields.H"
     #include "createBodies.H"
+    #include "createFlow.H"
     #include "CourantNo.H"
     #include "setInitialDeltaT.H"
 
@@ -57,29 +64,20 @@ int main(int argc, char* argv[])
     while (runTime.run())
     {
         #include "readTimeControls.H"
-        #include "CourantNo.H"
+        #include "flowCourantNo.H"
         #include "setBodyDeltaT.H"
 
         ++runTime;
 
         Info<< "Time = " << runTime.timeName() << nl << endl;
 
-        bodies.advance(phi);
-
-        while (pimple.loop())
+        if (staggered)
         {
-            #include "UEqn.H"
-
-            while (pimple.correct())
-            {
-                #include "pEqn.H"
-            }
-
-            if (pimple.turbCorr())
-            {
-                laminarTransport.correct();
-                turbulence->correct();
-            }
+            #include "staggeredStep.H"
+        }
+        else
+        {
+            #include "pimpleStep.H"
         }
 
         runTime.write();

@@ -19,8 +19,7 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh)
       grid_(uniformGrid::New(mesh)),
       effects_(mesh.time()),
       forceFlux_(IOobject("bodyForceFlux", mesh.time().timeName(), mesh), mesh,
-                 dimensionedScalar(dimAcceleration * dimArea, Zero)),
-      faceValues_(grid_.box())
+                 dimensionedScalar(dimAcceleration * dimArea, Zero))
 {
     forceFlux_.setOriented();
 
@@ -153,11 +152,24 @@ void Foam::bodyCollection::start()
 
 void Foam::bodyCollection::advance(const surfaceScalarField& phi)
 {
+    if (lastAdvanced_ == mesh_.time().timeIndex()) return;
+
+    staggeredField faces(grid_.box());
+    if (!empty()) grid_.toStaggered(phi, faces);
+    advance(faces);
+    if (!empty()) grid_.toFlux(faces, forceFlux_);
+}
+
+void Foam::bodyCollection::advance(staggeredField& faces)
+{
     const Time& time = mesh_.time();
-    if (lastAdvanced_ == time.timeIndex()) return;
     if (lastAdvanced_ < 0) start();
     lastAdvanced_ = time.timeIndex();
-    if (empty()) return;
+    if (empty())
+    {
+        faces.clear();
+        return;
+    }
 
     {
         const auto timing(effects_.time("interpolation"));
@@ -167,8 +179,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
             groups_[g].markers(X_.data() + at);
             at += groups_[g].nMarkers();
         }
-        grid_.toStaggered(phi, faceValues_);
-        boundary_->interpolate(X_, faceValues_, U_);
+        boundary_->interpolate(X_, faces, U_);
     }
 
     label at = 0, used = 0;
@@ -188,7 +199,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
     }
     if (returnReduce(!trouble.empty(), orOp<bool>())) stop(trouble);
 
-    faceValues_.clear();
+    faces.clear();
     if (returnReduce(used, maxOp<label>()))
     {
         const auto timing(effects_.time("spreading"));
@@ -198,8 +209,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
             F_[k] *= perMass;
         }
         boundary_->spread(vectorField(SubField<vector>(X_, used)),
-                          vectorField(SubField<vector>(F_, used)), faceValues_);
-        grid_.toFlux(faceValues_, forceFlux_);
+                          vectorField(SubField<vector>(F_, used)), faces);
     }
 
     if (time.timeIndex() % sampleInterval_ == 0) sample(time.value());
@@ -214,6 +224,7 @@ void Foam::bodyCollection::stop(const string& trouble)
 
     Time& time = const_cast<Time&>(mesh_.time());
     diverged_ = true;
+    if (beforeStop_) beforeStop_();
     Info << "Writing the state before the stop" << endl;
     time.writeNow();
     for (const string& t : all)

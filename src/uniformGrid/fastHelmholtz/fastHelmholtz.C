@@ -103,7 +103,8 @@ label rankOf(const label n, const label i)
 } // namespace
 
 Foam::fastHelmholtz::fastHelmholtz(const uniformGrid& grid,
-                                   const FixedList<sideConditions, 3>& sides)
+                                   const FixedList<sideConditions, 3>& sides,
+                                   const List<labelVector>& cells)
     : sides_(sides),
       plans_(new plans)
 {
@@ -129,10 +130,10 @@ Foam::fastHelmholtz::fastHelmholtz(const uniformGrid& grid,
     rows_ = firstOf(nSlow_, me + 1) - firstRow_;
 
     // Memory of the planes: [swept][slow][fast]
-    labelList rank(grid.ijk().size()), place(grid.ijk().size());
+    labelList rank(cells.size()), place(cells.size());
     forAll(rank, celli)
     {
-        const labelVector& c = grid.ijk()[celli];
+        const labelVector& c = cells[celli];
         rank[celli] = rankOf(nSwept_, c[swept_]);
         place[celli] =
             c[fast_] +
@@ -380,7 +381,7 @@ Foam::fastHelmholtzCache::get(const FixedList<sideConditions, 3>& sides) const
     {
         if (entry.first == code) return *entry.second;
     }
-    kept_.emplace_back(code, std::unique_ptr<fastHelmholtz>(new fastHelmholtz(
-                                 uniformGrid::New(this->mesh_), sides)));
+    const uniformGrid& grid = uniformGrid::New(this->mesh_);
+    kept_.emplace_back(code, std::unique_ptr<fastHelmholtz>(new fastHelmholtz(grid, sides, grid.ijk())));
     return *kept_.back().second;
 }
