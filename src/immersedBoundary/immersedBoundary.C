@@ -7,21 +7,8 @@ Foam::immersedBoundary::immersedBoundary(const uniformGrid& grid,
                                          const deltaKernel& kernel)
     : grid_(grid),
       kernel_(kernel),
-      boxes_(Pstream::nProcs())
+      boxes_(grid.allBoxes())
 {
-    List<labelList> corners(Pstream::nProcs());
-    const cellBox& mine = grid.box();
-    corners[Pstream::myProcNo()] =
-        labelList({mine.lo.x(), mine.lo.y(), mine.lo.z(), mine.size.x(),
-                   mine.size.y(), mine.size.z()});
-    Pstream::gatherList(corners);
-    Pstream::scatterList(corners);
-    forAll(boxes_, proci)
-    {
-        const labelList& c = corners[proci];
-        boxes_[proci].lo = labelVector(c[0], c[1], c[2]);
-        boxes_[proci].size = labelVector(c[3], c[4], c[5]);
-    }
 }
 
 void Foam::immersedBoundary::locate(const vector& X, marker& m) const

@@ -156,20 +156,6 @@ int Foam::sphericalHarmonics::index(const int n, const int m,
     return first_[m] + (m ? 2 * k + sine : k);
 }
 
-std::vector<int> Foam::sphericalHarmonics::degrees() const
-{
-    std::vector<int> d(nCoeffs());
-    for (int m = 0; m <= degree_; ++m)
-    {
-        for (int n = m; n <= degree_; ++n)
-        {
-            d[index(n, m, false)] = n;
-            if (m) d[index(n, m, true)] = n;
-        }
-    }
-    return d;
-}
-
 // Coefficients to Fourier series on each latitude. fourier: a column per
 // cos/sin of m, each 3 x nTheta. A table is symmetric about the equator for
 // even n - m, unless flip (a derivative in theta)

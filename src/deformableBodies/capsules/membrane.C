@@ -3,6 +3,23 @@
 #include "membrane.H"
 #include <cmath>
 
+namespace
+{
+//- Covariant metric at point k of a grid of n points
+struct metric
+{
+    double tt, tp, pp;
+
+    metric(const double* __restrict__ t, const double* __restrict__ p,
+           const int n, const int k)
+        : tt(t[k] * t[k] + t[n + k] * t[n + k] + t[2 * n + k] * t[2 * n + k]),
+          tp(t[k] * p[k] + t[n + k] * p[n + k] + t[2 * n + k] * p[2 * n + k]),
+          pp(p[k] * p[k] + p[n + k] * p[n + k] + p[2 * n + k] * p[2 * n + k])
+    {
+    }
+};
+} // namespace
+
 Foam::membrane::membrane(const int degree, const int nTheta,
                          const dictionary& law,
                          const std::vector<double>& stressFree)
@@ -22,18 +39,11 @@ Foam::membrane::membrane(const int degree, const int nTheta,
     harmonics_.gradient(stressFree.data(), xt_.data(), xp_.data());
     for (label k = 0; k < n; ++k)
     {
-        double tt = 0, tp = 0, pp = 0;
-        for (label c = 0; c < 3; ++c)
-        {
-            const double t = xt_[c * n + k], p = xp_[c * n + k];
-            tt += t * t;
-            tp += t * p;
-            pp += p * p;
-        }
-        const double det = tt * pp - tp * tp;
-        A_[k] = pp / det;
-        A_[n + k] = -tp / det;
-        A_[2 * n + k] = tt / det;
+        const metric m(xt_.data(), xp_.data(), n, k);
+        const double det = m.tt * m.pp - m.tp * m.tp;
+        A_[k] = m.pp / det;
+        A_[n + k] = -m.tp / det;
+        A_[2 * n + k] = m.tt / det;
         dA_[k] = std::sqrt(det) * harmonics_.weight(k);
     }
 }
@@ -50,15 +60,10 @@ void Foam::membrane::invariants(const double* coeffs) const
     double* __restrict__ I2 = I2_.data();
     for (label k = 0; k < n; ++k)
     {
-        const double tt =
-            t[k] * t[k] + t[n + k] * t[n + k] + t[2 * n + k] * t[2 * n + k];
-        const double tp =
-            t[k] * p[k] + t[n + k] * p[n + k] + t[2 * n + k] * p[2 * n + k];
-        const double pp =
-            p[k] * p[k] + p[n + k] * p[n + k] + p[2 * n + k] * p[2 * n + k];
+        const metric m(t, p, n, k);
         const double detInvA = A[k] * A[2 * n + k] - A[n + k] * A[n + k];
-        I1[k] = A[k] * tt + 2 * A[n + k] * tp + A[2 * n + k] * pp - 2;
-        I2[k] = (tt * pp - tp * tp) * detInvA - 1;
+        I1[k] = A[k] * m.tt + 2 * A[n + k] * m.tp + A[2 * n + k] * m.pp - 2;
+        I2[k] = (m.tt * m.pp - m.tp * m.tp) * detInvA - 1;
     }
 }
 
@@ -89,18 +94,13 @@ Foam::scalar Foam::membrane::load(const double* coeffs, double* q) const
     const double* __restrict__ W2 = W2_.data();
     for (label k = 0; k < n; ++k)
     {
-        const double tt =
-            t[k] * t[k] + t[n + k] * t[n + k] + t[2 * n + k] * t[2 * n + k];
-        const double tp =
-            t[k] * p[k] + t[n + k] * p[n + k] + t[2 * n + k] * p[2 * n + k];
-        const double pp =
-            p[k] * p[k] + p[n + k] * p[n + k] + p[2 * n + k] * p[2 * n + k];
+        const metric m(t, p, n, k);
         const double detInvA = A[k] * A[2 * n + k] - A[n + k] * A[n + k];
         const double a = 2 * dA_[k] * W1[k];
         const double b = 2 * dA_[k] * W2[k] * detInvA;
-        const double Ttt = a * A[k] + b * pp;
-        const double Ttp = a * A[n + k] - b * tp;
-        const double Tpp = a * A[2 * n + k] + b * tt;
+        const double Ttt = a * A[k] + b * m.pp;
+        const double Ttp = a * A[n + k] - b * m.tp;
+        const double Tpp = a * A[2 * n + k] + b * m.tt;
         for (label c = 0; c < 3; ++c)
         {
             const double xt = t[c * n + k], xp = p[c * n + k];
@@ -122,19 +122,12 @@ Foam::scalar Foam::membrane::maxStretch(const double* coeffs) const
     double largest = 0;
     for (label k = 0; k < n; ++k)
     {
-        double tt = 0, tp = 0, pp = 0;
-        for (label c = 0; c < 3; ++c)
-        {
-            const double t = xt_[c * n + k], p = xp_[c * n + k];
-            tt += t * t;
-            tp += t * p;
-            pp += p * p;
-        }
+        const metric m(xt_.data(), xp_.data(), n, k);
         const double Att = A_[k], Atp = A_[n + k], App = A_[2 * n + k];
         const double half =
-            0.5 * ((Att * tt + Atp * tp) - (Atp * tp + App * pp));
+            0.5 * ((Att * m.tt + Atp * m.tp) - (Atp * m.tp + App * m.pp));
         const double root2 =
-            half * half + (Att * tp + Atp * pp) * (Atp * tt + App * tp);
+            half * half + (Att * m.tp + Atp * m.pp) * (Atp * m.tt + App * m.tp);
         largest = std::max(largest, 0.5 * (I1_[k] + 2) +
                                         std::sqrt(std::max(0.0, root2)));
     }

@@ -178,22 +178,7 @@ bool Foam::staggeredFlow::wallAbove(const direction d) const
 
 void Foam::staggeredFlow::makeHalo()
 {
-    List<cellBox> boxes(Pstream::nProcs());
-    {
-        List<labelList> all(Pstream::nProcs());
-        all[Pstream::myProcNo()] =
-            labelList({box_.lo.x(), box_.lo.y(), box_.lo.z(), box_.size.x(),
-                       box_.size.y(), box_.size.z()});
-        Pstream::gatherList(all);
-        Pstream::scatterList(all);
-        forAll(boxes, proci)
-        {
-            const labelList& a = all[proci];
-            boxes[proci].lo = labelVector(a[0], a[1], a[2]);
-            boxes[proci].size = labelVector(a[3], a[4], a[5]);
-        }
-    }
-
+    const List<cellBox> boxes(grid_.allBoxes());
     DynamicList<label> rank, source, target;
     for (label k = -1; k <= box_.size.z(); ++k)
     {
@@ -329,6 +314,8 @@ void Foam::staggeredFlow::fill()
         }
         p_[celli] = p_halo_[q];
     }
+    Info << "Largest divergence, relative to max|u|/h: " << divergence()
+         << endl;
     U_.correctBoundaryConditions();
     p_.correctBoundaryConditions();
     convection_.correctBoundaryConditions();

@@ -382,6 +382,7 @@ Foam::fastHelmholtzCache::get(const FixedList<sideConditions, 3>& sides) const
         if (entry.first == code) return *entry.second;
     }
     const uniformGrid& grid = uniformGrid::New(this->mesh_);
-    kept_.emplace_back(code, std::unique_ptr<fastHelmholtz>(new fastHelmholtz(grid, sides, grid.ijk())));
+    kept_.emplace_back(code, std::unique_ptr<fastHelmholtz>(
+                                 new fastHelmholtz(grid, sides, grid.ijk())));
     return *kept_.back().second;
 }

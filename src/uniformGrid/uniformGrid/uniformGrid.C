@@ -273,3 +273,22 @@ void Foam::uniformGrid::toFlux(const staggeredField& u,
         }
     }
 }
+
+Foam::List<Foam::cellBox> Foam::uniformGrid::allBoxes() const
+{
+    List<labelList> corners(Pstream::nProcs());
+    corners[Pstream::myProcNo()] =
+        labelList({box_.lo.x(), box_.lo.y(), box_.lo.z(), box_.size.x(),
+                   box_.size.y(), box_.size.z()});
+    Pstream::gatherList(corners);
+    Pstream::scatterList(corners);
+
+    List<cellBox> boxes(Pstream::nProcs());
+    forAll(boxes, proci)
+    {
+        const labelList& c = corners[proci];
+        boxes[proci].lo = labelVector(c[0], c[1], c[2]);
+        boxes[proci].size = labelVector(c[3], c[4], c[5]);
+    }
+    return boxes;
+}
