@@ -111,10 +111,10 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
     {
         u_[d].assign(nHalo, 0);
         h_[d].assign(box_.count(), 0);
+        delta_[d].resize(box_.count());
     }
     p_halo_.assign(nHalo, 0);
     correction_.assign(nHalo, 0);
-    delta_.resize(box_.count());
     divergence_.resize(box_.count());
 
     // Walls

@@ -32,7 +32,7 @@ void Foam::staggeredFlow::increment(const scalar dt, const scalar c1,
             const double* __restrict__ p = p_halo_.data() + q;
             const double* __restrict__ f = force + n;
             double* __restrict__ last = h_[D].data() + n;
-            double* __restrict__ out = delta_.data() + n;
+            double* __restrict__ out = delta_[D].data() + n;
             for (label i = 0; i < nx; ++i)
             {
                 const double x = u[i];
@@ -67,7 +67,7 @@ void Foam::staggeredFlow::increment(const scalar dt, const scalar c1,
             {
                 l[D] = 0;
                 const label n = l.x() + nx * (l.y() + ny * l.z());
-                delta_[n] = h_[D][n] = 0;
+                delta_[D][n] = h_[D][n] = 0;
             }
         }
     }
@@ -154,7 +154,6 @@ void Foam::staggeredFlow::step(const scalar dt, const scalar lastDt,
         updateVelocity();
 
         // All increments are made from u^n: they wait until the last is done
-        FixedList<array, 3> waiting;
         for (direction d = 0; d < 3; ++d)
         {
             switch (d)
@@ -170,10 +169,9 @@ void Foam::staggeredFlow::step(const scalar dt, const scalar lastDt,
             }
             for (direction e = 0; e < 3; ++e)
             {
-                diffusion_[d][e]->solve(delta_.data(),
+                diffusion_[d][e]->solve(delta_[d].data(),
                                         0.5 * dt * nu_ / sqr(grid_.h()[e]));
             }
-            waiting[d] = delta_;
         }
         for (direction d = 0; d < 3; ++d)
         {
@@ -185,7 +183,7 @@ void Foam::staggeredFlow::step(const scalar dt, const scalar lastDt,
                     double* u = u_[d].data() + place(0, j, k);
                     for (label i = 0; i < box_.size.x(); ++i, ++n)
                     {
-                        u[i] += waiting[d][n];
+                        u[i] += delta_[d][n];
                     }
                 }
             }
