@@ -72,25 +72,3 @@ Foam::pointField Foam::bodyGroup::readPositions(const dictionary& dict) const
     }
     return positions;
 }
-
-Foam::label Foam::bodyGroup::byAccuracy(const dictionary& dict,
-                                        const word& name, const label draft,
-                                        const label standard,
-                                        const label reference) const
-{
-    const word& a = scene_.accuracy;
-    return dict.getOrDefault<label>(name, a == "draft"       ? draft
-                                          : a == "reference" ? reference
-                                                             : standard);
-}
-
-Foam::scalar Foam::bodyGroup::byAccuracy(const dictionary& dict,
-                                         const word& name, const scalar draft,
-                                         const scalar standard,
-                                         const scalar reference) const
-{
-    const word& a = scene_.accuracy;
-    return dict.getOrDefault<scalar>(name, a == "draft"       ? draft
-                                           : a == "reference" ? reference
-                                                              : standard);
-}

@@ -31,7 +31,7 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
     }
     radius_ = readPositive(shape, "radius", dimLength);
 
-    const label degree = byAccuracy(dict, "harmonics", 12, 16, 24);
+    const label degree = byAccuracy<label>(dict, "harmonics", 12, 16, 24);
     if (degree < 4 || degree > 64)
     {
         refuse(dict, "harmonics", Foam::name(degree), "4 to 64");
@@ -41,7 +41,7 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
     {
         refuse(dict, "dealiasing", Foam::name(dealiasing), "1 to 4");
     }
-    const scalar spacing = byAccuracy(dict, "markerSpacing", 0.9, 0.7, 0.5);
+    const scalar spacing = byAccuracy<scalar>(dict, "markerSpacing", 0.9, 0.7, 0.5);
     if (spacing < 0.1 || spacing > 1)
     {
         refuse(dict, "markerSpacing", Foam::name(spacing), "0.1 to 1");
