@@ -57,9 +57,9 @@ template<class Values>
 scalar sumOfCells(Values value)
 {
     scalar sum = 0;
-    for (const labelVector& c : grid().ijk())
+    for (const label i : grid().index())
     {
-        sum += value(grid().box().index(c));
+        sum += value(i);
     }
     return returnReduce(sum, sumOp<scalar>());
 }
@@ -67,11 +67,11 @@ scalar sumOfCells(Values value)
 template<class Function>
 void fill(staggeredField& u, Function f)
 {
-    for (const labelVector& c : grid().ijk())
+    for (const label i : grid().index())
     {
         for (direction d = 0; d < 3; ++d)
         {
-            u[d][u.box().index(c)] = f(facePoint(c, d), d);
+            u[d][i] = f(facePoint(grid().box().cell(i), d), d);
         }
     }
 }

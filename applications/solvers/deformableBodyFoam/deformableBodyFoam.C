@@ -34,7 +34,7 @@ Usage
 #include "fvOptions.H"
 #include "bodyCollection.H"
 #include "dictionaryChecks.H"
-#include "staggeredFlow.H"
+#include "flowSources.H"
 #include "runProgress.H"
 
 int main(int argc, char* argv[])
@@ -42,42 +42,42 @@ int main(int argc, char* argv[])
     argList::addNote("Transient solver for incompressible flow with deformable"
                      " bodies (capsules) by the immersed boundary method.");
 
-    #include "postProcess.H"
+#include "postProcess.H"
 
-    #include "addCheckCaseOptions.H"
-    #include "setRootCaseLists.H"
-    #include "createTime.H"
-    #include "createMesh.H"
-    #include "createControl.H"
-    #include "createTimeControls.H"
-    #include "initContinuityErrs.H"
-    #include "createFields.H"
-    #include "createBodies.H"
-    #include "createFlow.H"
-    #include "CourantNo.H"
-    #include "setInitialDeltaT.H"
+#include "addCheckCaseOptions.H"
+#include "setRootCaseLists.H"
+#include "createTime.H"
+#include "createMesh.H"
+#include "createControl.H"
+#include "createTimeControls.H"
+#include "initContinuityErrs.H"
+#include "createFields.H"
+#include "createBodies.H"
+#include "createFlow.H"
+#include "CourantNo.H"
+#include "setInitialDeltaT.H"
 
     turbulence->validate();
 
-    Info<< "\nStarting time loop\n" << endl;
+    Info << "\nStarting time loop\n" << endl;
 
     while (runTime.run())
     {
-        #include "readTimeControls.H"
-        #include "flowCourantNo.H"
-        #include "setBodyDeltaT.H"
+#include "readTimeControls.H"
+#include "flowCourantNo.H"
+#include "setBodyDeltaT.H"
 
         ++runTime;
 
-        Info<< "Time = " << runTime.timeName() << nl << endl;
+        Info << "Time = " << runTime.timeName() << nl << endl;
 
         if (staggered)
         {
-            #include "staggeredStep.H"
+#include "staggeredStep.H"
         }
         else
         {
-            #include "pimpleStep.H"
+#include "pimpleStep.H"
         }
 
         runTime.write();
@@ -86,7 +86,7 @@ int main(int argc, char* argv[])
         runTime.printExecutionTime(Info);
     }
 
-    Info<< "End\n" << endl;
+    Info << "End\n" << endl;
 
     return 0;
 }

@@ -13,38 +13,57 @@ Foam::lineSolver::lineSolver(const uniformGrid& grid, const direction dir,
     const bool cut = box_.size[dir] != n_;
     if (!returnReduce(cut, orOp<bool>())) return;
 
-    // Lines are numbered by the two other coordinates and dealt to all ranks
+    // The ranks that share a bundle of lines deal them among themselves; where
+    // blocks are not aligned, all ranks deal all lines
     const direction a = dir == 0 ? 1 : 0, b = 3 - dir - a;
-    const label nAll = grid.n()[a] * grid.n()[b];
-    const label nProcs = Pstream::nProcs();
-    const auto first = [&](const label rank)
-    { return label((int64_t(nAll) * rank) / nProcs); };
-    nLines_ = first(Pstream::myProcNo() + 1) - first(Pstream::myProcNo());
+    const auto sameSection = [&](const cellBox& x, const cellBox& y)
+    {
+        return x.lo[a] == y.lo[a] && x.size[a] == y.size[a] &&
+               x.lo[b] == y.lo[b] && x.size[b] == y.size[b];
+    };
+    const List<cellBox> boxes(grid.allBoxes());
+    labelList sharing;
+    label held = 0;
+    forAll(boxes, proci)
+    {
+        if (sameSection(boxes[proci], box_))
+        {
+            sharing.append(proci);
+            held += boxes[proci].size[dir];
+        }
+    }
+    cellBox section(box_);
+    if (!returnReduce(held == n_, andOp<bool>()))
+    {
+        sharing = identity(Pstream::nProcs());
+        section.lo = labelVector::zero;
+        section.size = grid.n();
+    }
+
+    const label nLines = section.size[a] * section.size[b];
+    const label nRanks = sharing.size();
+    const auto first = [&](const label r)
+    { return label((int64_t(nLines) * r) / nRanks); };
+    const label me = sharing.find(Pstream::myProcNo());
+    nLines_ = first(me + 1) - first(me);
 
     labelList rank(box_.count()), place(box_.count());
-    label i = 0;
-    for (label z = 0; z < box_.size.z(); ++z)
+    forAll(rank, i)
     {
-        for (label y = 0; y < box_.size.y(); ++y)
+        const labelVector c(box_.cell(i));
+        const label line =
+            c[a] - section.lo[a] + section.size[a] * (c[b] - section.lo[b]);
+        label r = label((int64_t(line) * nRanks) / nLines);
+        while (first(r) > line)
         {
-            for (label x = 0; x < box_.size.x(); ++x, ++i)
-            {
-                const labelVector c(box_.lo + labelVector(x, y, z));
-                const label line = c[a] + grid.n()[a] * c[b];
-                label r = label((int64_t(line) * nProcs) / nAll);
-                while (first(r) > line)
-                {
-                    --r;
-                }
-                while (first(r + 1) <= line)
-                {
-                    ++r;
-                }
-                rank[i] = r;
-                place[i] =
-                    (line - first(r)) + (first(r + 1) - first(r)) * c[dir];
-            }
+            --r;
         }
+        while (first(r + 1) <= line)
+        {
+            ++r;
+        }
+        rank[i] = sharing[r];
+        place[i] = (line - first(r)) + (first(r + 1) - first(r)) * c[dir];
     }
     toLines_.reset(new indexExchange(rank, place));
     lines_.resize(nLines_ * n_);
@@ -78,7 +97,8 @@ void Foam::lineSolver::factorise(const double beta)
     }
 }
 
-void Foam::lineSolver::sweep(double* x, const label m, const label stride) const
+void Foam::lineSolver::sweep(double* x, const label m, const label stride,
+                             const double lower, const double upper) const
 {
     const label begin = !periodic_ && faces_ ? 1 : 0;
     const label last = periodic_ ? n_ - 2 : n_ - 1;
@@ -86,18 +106,19 @@ void Foam::lineSolver::sweep(double* x, const label m, const label stride) const
     {
         double* __restrict__ xj = x + j * stride;
         const double* __restrict__ xm = xj - stride;
-        const double r = r_[j], b = j > begin ? beta_ : 0;
+        const double r = r_[j], b = beta_;
+        const double w = (j == begin ? lower : 0) + (j == last ? upper : 0);
         if (j == begin)
         {
             for (label i = 0; i < m; ++i)
             {
-                xj[i] *= r;
+                xj[i] = (xj[i] + w) * r;
             }
             continue;
         }
         for (label i = 0; i < m; ++i)
         {
-            xj[i] = (xj[i] + b * xm[i]) * r;
+            xj[i] = (xj[i] + w + b * xm[i]) * r;
         }
     }
     for (label j = last - 1; j >= begin; --j)
@@ -131,15 +152,18 @@ void Foam::lineSolver::sweep(double* x, const label m, const label stride) const
     }
 }
 
-void Foam::lineSolver::solve(double* x, const double beta)
+void Foam::lineSolver::solve(double* x, const double beta, const double lower,
+                             const double upper)
 {
-    if (n_ < 3) return;
     if (beta != beta_) factorise(beta);
+    const bool given = !periodic_ && !faces_;
+    const double lo = given ? 2 * beta * lower : 0;
+    const double up = given ? 2 * beta * upper : 0;
 
     if (toLines_)
     {
         toLines_->forward(x, lines_.data());
-        sweep(lines_.data(), nLines_, nLines_);
+        sweep(lines_.data(), nLines_, nLines_, lo, up);
         toLines_->backward(lines_.data(), x);
         return;
     }
@@ -150,14 +174,14 @@ void Foam::lineSolver::solve(double* x, const double beta)
         // A row of x at a time: the sweep stays in cache
         for (label j = 0; j < ny; ++j)
         {
-            sweep(x + j * nx, nx, nx * ny);
+            sweep(x + j * nx, nx, nx * ny, lo, up);
         }
     }
     else if (dir_ == 1)
     {
         for (label k = 0; k < nz; ++k)
         {
-            sweep(x + k * nx * ny, nx, nx);
+            sweep(x + k * nx * ny, nx, nx, lo, up);
         }
     }
     else
@@ -176,7 +200,7 @@ void Foam::lineSolver::solve(double* x, const double beta)
                     t[i * ny + j] = plane[j * nx + i];
                 }
             }
-            sweep(t.data(), ny, ny);
+            sweep(t.data(), ny, ny, lo, up);
             for (label j = 0; j < ny; ++j)
             {
                 for (label i = 0; i < nx; ++i)

@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "staggeredFlow.H"
+#include "dictionaryChecks.H"
 #include "fixedValueFvPatchFields.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -10,8 +11,8 @@ Foam::string Foam::staggeredFlow::unsupported(const volVectorField& U,
     const uniformGrid& grid = uniformGrid::New(U.mesh());
     if (!grid.valid()) return "the mesh is no uniform box: " + grid.reason();
 
-    const bool whole = grid.ijk().size() == grid.box().count();
-    if (!returnReduce(whole && grid.ijk().size(), andOp<bool>()))
+    const bool whole = grid.index().size() == grid.box().count();
+    if (!returnReduce(whole && grid.index().size(), andOp<bool>()))
     {
         return "the decomposition is not one of rectangular blocks (method "
                "simple or hierarchical)";
@@ -62,67 +63,130 @@ Foam::string Foam::staggeredFlow::unsupported(const volVectorField& U,
     return string::null;
 }
 
+// last_ as an OpenFOAM field, made only when it is written
+struct Foam::staggeredFlow::history : public regIOobject
+{
+    const staggeredFlow& flow_;
+
+    static word nameOf(const bool isExplicit)
+    {
+        return isExplicit ? "staggeredExplicit" : "staggeredConvection";
+    }
+
+    explicit history(const staggeredFlow& flow)
+        : regIOobject(IOobject(nameOf(flow.explicit_),
+                               flow.mesh_.time().timeName(), flow.mesh_,
+                               IOobject::NO_READ, IOobject::AUTO_WRITE)),
+          flow_(flow)
+    {
+    }
+
+    virtual const word& type() const { return volVectorField::typeName; }
+
+    virtual bool writeData(Ostream& os) const
+    {
+        volVectorField field(
+            IOobject("last", time().timeName(), flow_.mesh_, IOobject::NO_READ,
+                     IOobject::NO_WRITE, false),
+            flow_.mesh_, dimensionedVector(dimAcceleration, Zero));
+        const labelList& index = flow_.grid_.index();
+        forAll(index, celli)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                field[celli][d] = flow_.last_[d][index[celli]];
+            }
+        }
+        field.correctBoundaryConditions();
+        return field.writeData(os);
+    }
+};
+
 namespace
 {
 using namespace Foam;
 
-//- Cells of a box in the order of its dense arrays
-List<labelVector> cellsOf(const cellBox& box)
+word readChoice(const dictionary& dict, const word& name, const wordList& all)
 {
-    List<labelVector> cells(box.count());
-    label n = 0;
-    for (label k = 0; k < box.size.z(); ++k)
+    const word value(dict.getOrDefault<word>(name, all[0]));
+    if (!all.found(value))
     {
-        for (label j = 0; j < box.size.y(); ++j)
-        {
-            for (label i = 0; i < box.size.x(); ++i)
-            {
-                cells[n++] = box.lo + labelVector(i, j, k);
-            }
-        }
+        OStringStream allowed;
+        allowed << flatOutput(all);
+        refuse(dict, name, value, allowed.str());
     }
-    return cells;
+    return value;
 }
 } // namespace
 
 Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
-                                   surfaceScalarField& phi, const scalar nu,
+                                   surfaceScalarField& phi,
+                                   const volScalarField& nu,
+                                   const dictionary& controls,
                                    effectLedger& effects)
     : mesh_(U.mesh()),
       grid_(uniformGrid::New(mesh_)),
-      box_(grid_.box()),
-      nu_(nu),
+      block_(grid_),
+      box_(block_.box()),
       effects_(effects),
+      controls_(controls),
+      RK3_(readChoice(controls, "timeScheme", {"AB2", "RK3"}) == "RK3"),
+      diffusion_(readChoice(controls, "diffusion",
+                            {"auto", "ADI", "FFT", "explicit"})),
+      convection_(controls.getOrDefault<bool>("convection", true)),
       U_(U),
       p_(p),
-      phi_(phi),
-      convection_(IOobject("staggeredConvection", mesh_.time().timeName(),
-                           mesh_, IOobject::READ_IF_PRESENT,
-                           IOobject::AUTO_WRITE),
-                  mesh_, dimensionedVector(dimAcceleration, Zero)),
-      hasConvection_(convection_.headerOk())
+      phi_(phi)
 {
-    stride_[0] = 1;
-    stride_[1] = box_.size.x() + 2;
-    stride_[2] = stride_[1] * (box_.size.y() + 2);
-    const label nHalo = stride_[2] * (box_.size.z() + 2);
-
+    label nWalled = 0;
+    FixedList<sideConditions, 3> sides;
     for (direction d = 0; d < 3; ++d)
     {
-        u_[d].assign(nHalo, 0);
-        h_[d].assign(box_.count(), 0);
-        delta_[d].resize(box_.count());
+        u_[d].assign(block_.size(), 0);
+        last_[d].assign(box_.count(), 0);
+        sides[d].periodic = grid_.periodic(d);
+        if (!grid_.periodic(d)) ++nWalled;
     }
-    p_halo_.assign(nHalo, 0);
-    correction_.assign(nHalo, 0);
-    divergence_.resize(box_.count());
-
-    // Walls
-    FixedList<FixedList<vector, 2>, 3> walls(
-        FixedList<vector, 2>(vector(-GREAT, -GREAT, -GREAT)));
-    forAll(U.boundaryField(), patchi)
+    if (diffusion_ == "FFT" && nWalled > 1)
     {
-        const fvPatchVectorField& Ub = U.boundaryField()[patchi];
+        refuse(controls, "diffusion", diffusion_,
+               "auto, ADI or explicit where two directions have walls");
+    }
+    pressure_.assign(block_.size(), 0);
+    correction_.assign(block_.size(), 0);
+    if (RK3_) increment_.reset(new staggeredField(box_));
+
+    List<labelVector> cells(box_.count());
+    labelList places(box_.count());
+    forAll(cells, i)
+    {
+        cells[i] = box_.cell(i);
+        places[i] = block_.place(cells[i] - box_.lo);
+    }
+    poisson_.reset(new fastHelmholtz(grid_, sides, cells, places));
+
+    for (const fvPatchVectorField& Ub : U.boundaryField())
+    {
+        wallsChange_ = wallsChange_ ||
+                       (!Ub.coupled() &&
+                        Ub.type() != fixedValueFvPatchVectorField::typeName);
+    }
+    reduce(wallsChange_, orOp<bool>());
+    walls_ = readWalls();
+    wallsAhead_ = walls_;
+
+    setViscosity(nu);
+    readState();
+}
+
+Foam::staggeredFlow::~staggeredFlow() {}
+
+Foam::wallVelocities Foam::staggeredFlow::readWalls() const
+{
+    wallVelocities walls(FixedList<vector, 2>(vector(-GREAT, -GREAT, -GREAT)));
+    forAll(U_.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& Ub = U_.boundaryField()[patchi];
         if (Ub.coupled() || !Ub.size()) continue;
         const label facei = Ub.patch().patch().start();
         walls[grid_.faceDirection(facei)][grid_.lowerSide(facei) ? 0 : 1] =
@@ -130,106 +194,93 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
     }
     for (direction d = 0; d < 3; ++d)
     {
-        for (label side = 0; side < 2; ++side)
+        for (vector& w : walls[d])
         {
-            wall_[d][side] = returnReduce(walls[d][side], maxOp<vector>());
+            reduce(w, maxOp<vector>());
+            if (grid_.periodic(d)) w = Zero;
         }
     }
+    return walls;
+}
 
-    FixedList<sideConditions, 3> sides;
-    for (direction d = 0; d < 3; ++d)
+void Foam::staggeredFlow::readState()
+{
+    for (const bool isExplicit : {false, true})
     {
-        sides[d].periodic = grid_.periodic(d);
-        for (direction c = 0; c < 3; ++c)
-        {
-            diffusion_[c][d].reset(new lineSolver(grid_, d, c == d));
-        }
-    }
-    poisson_.reset(new fastHelmholtz(grid_, sides, cellsOf(box_)));
-    makeHalo();
+        IOobject io(history::nameOf(isExplicit), mesh_.time().timeName(), mesh_,
+                    IOobject::MUST_READ, IOobject::NO_WRITE, false);
+        if (RK3_ || !io.typeHeaderOk<volVectorField>(true)) continue;
 
-    // Start from the fields
+        const volVectorField field(io, mesh_);
+        forAll(grid_.index(), celli)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                last_[d][grid_.index()[celli]] = field[celli][d];
+            }
+        }
+        explicit_ = isExplicit;
+        hasLast_ = true;
+    }
+    if (!RK3_) history_.reset(new history(*this));
+
     staggeredField u(box_);
-    grid_.toStaggered(phi, u);
-    forAll(grid_.ijk(), celli)
+    grid_.toStaggered(phi_, u);
+    forAll(grid_.index(), celli)
     {
-        const labelVector c(grid_.ijk()[celli] - box_.lo);
-        const label q = place(c.x(), c.y(), c.z());
-        const label i = box_.index(grid_.ijk()[celli]);
+        const label n = grid_.index()[celli];
+        const label q = block_.place(box_.cell(n) - box_.lo);
         for (direction d = 0; d < 3; ++d)
         {
-            u_[d][q] = u[d][i];
-            h_[d][i] = convection_[celli][d];
+            u_[d][q] = u[d][n];
         }
-        p_halo_[q] = p[celli];
+        pressure_[q] = p_[celli];
     }
-    updateHalo(p_halo_);
+    block_.update(pressure_.data());
 }
 
-bool Foam::staggeredFlow::wallBelow(const direction d) const
+void Foam::staggeredFlow::setViscosity(const volScalarField& nu)
 {
-    return !grid_.periodic(d) && box_.lo[d] == 0;
-}
+    nuMax_ = gMax(nu.primitiveField());
+    if (nuMax_ - gMin(nu.primitiveField()) <= 1e-12 * nuMax_) return;
 
-bool Foam::staggeredFlow::wallAbove(const direction d) const
-{
-    return !grid_.periodic(d) && box_.lo[d] + box_.size[d] == grid_.n()[d];
-}
-
-void Foam::staggeredFlow::makeHalo()
-{
-    const List<cellBox> boxes(grid_.allBoxes());
-    DynamicList<label> rank, source, target;
-    for (label k = -1; k <= box_.size.z(); ++k)
+    nu_.resize(block_.size());
+    forAll(grid_.index(), celli)
     {
-        for (label j = -1; j <= box_.size.y(); ++j)
-        {
-            for (label i = -1; i <= box_.size.x(); ++i)
-            {
-                const labelVector local(i, j, k);
-                labelVector c(box_.lo + local);
-                bool inside = true, beyondWall = false;
-                for (direction d = 0; d < 3; ++d)
-                {
-                    const label n = grid_.n()[d];
-                    inside = inside && local[d] >= 0 && local[d] < box_.size[d];
-                    beyondWall = beyondWall || (!grid_.periodic(d) &&
-                                                (c[d] < 0 || c[d] >= n));
-                    c[d] = (c[d] + n) % n;
-                }
-                if (inside || beyondWall) continue;
+        nu_[block_.place(box_.cell(grid_.index()[celli]) - box_.lo)] =
+            nu[celli];
+    }
+    block_.update(nu_.data());
+    block_.extend(nu_.data());
 
-                forAll(boxes, proci)
+    // The harmonic mean of the four cells at an edge: exact for shear across
+    // layers, where the stress is what is continuous
+    for (direction g = 0; g < 3; ++g)
+    {
+        const label sa = block_.stride(g == 0 ? 1 : 0);
+        const label sb = block_.stride(g == 2 ? 1 : 2);
+        nuEdge_[g].resize(block_.size());
+        for (label k = 0; k <= box_.size.z(); ++k)
+        {
+            for (label j = 0; j <= box_.size.y(); ++j)
+            {
+                for (label i = 0; i <= box_.size.x(); ++i)
                 {
-                    const cellBox& b = boxes[proci];
-                    const labelVector l(c - b.lo);
-                    if (cmptMin(l) >= 0 && l.x() < b.size.x() &&
-                        l.y() < b.size.y() && l.z() < b.size.z())
-                    {
-                        rank.append(proci);
-                        source.append(
-                            (l.x() + 1) +
-                            (b.size.x() + 2) *
-                                ((l.y() + 1) + (b.size.y() + 2) * (l.z() + 1)));
-                        target.append(place(i, j, k));
-                        break;
-                    }
+                    const label q = block_.place(i, j, k);
+                    nuEdge_[g][q] =
+                        4 / (1 / nu_[q] + 1 / nu_[q - sa] + 1 / nu_[q - sb] +
+                             1 / nu_[q - sa - sb]);
                 }
             }
         }
     }
-    halo_.reset(new indexExchange(rank, source));
-    haloPlaces_.transfer(target);
-    haloValues_.resize(haloPlaces_.size());
 }
 
-void Foam::staggeredFlow::updateHalo(array& f)
+void Foam::staggeredFlow::hold(const direction component, const scalar mean)
 {
-    halo_->backward(f.data(), haloValues_.data());
-    forAll(haloPlaces_, i)
-    {
-        f[haloPlaces_[i]] = haloValues_[i];
-    }
+    held_ = true;
+    heldComponent_ = component;
+    heldMean_ = mean;
 }
 
 // Halo, then the points beyond walls: tangential components mirrored about the
@@ -238,59 +289,202 @@ void Foam::staggeredFlow::updateVelocity()
 {
     for (direction c = 0; c < 3; ++c)
     {
-        updateHalo(u_[c]);
+        double* u = u_[c].data();
+        block_.update(u);
         for (direction d = 0; d < 3; ++d)
         {
-            const direction a = d == 0 ? 1 : 0, b = 3 - d - a;
-            const auto eachOfSide = [&](const label at, const auto& set)
+            const label s = block_.stride(d);
+            const auto mirror =
+                [&](const label at, const label inward, const scalar wall)
             {
-                for (label s = -1; s <= box_.size[b]; ++s)
-                {
-                    for (label r = -1; r <= box_.size[a]; ++r)
-                    {
-                        labelVector l;
-                        l[d] = at;
-                        l[a] = r;
-                        l[b] = s;
-                        set(place(l.x(), l.y(), l.z()));
-                    }
-                }
+                block_.layer(d, at,
+                             [&](const labelVector& l)
+                             {
+                                 const label q = block_.place(l);
+                                 u[q] = c == d ? 0 : 2 * wall - u[q + inward];
+                             });
             };
-            double* u = u_[c].data();
-            const label s = stride_[d];
-            if (wallBelow(d))
-            {
-                const double w = 2 * wall_[d][0][c];
-                eachOfSide(-1, [&](const label q)
-                           { u[q] = c == d ? 0 : w - u[q + s]; });
-            }
-            if (wallAbove(d))
-            {
-                const double w = 2 * wall_[d][1][c];
-                eachOfSide(box_.size[d], [&](const label q)
-                           { u[q] = c == d ? 0 : w - u[q - s]; });
-            }
+            if (block_.wallBelow(d)) mirror(-1, s, walls_[d][0][c]);
+            if (block_.wallAbove(d)) mirror(box_.size[d], -s, walls_[d][1][c]);
         }
     }
 }
 
 void Foam::staggeredFlow::velocity(staggeredField& u) const
 {
-    label n = 0;
-    for (label k = 0; k < box_.size.z(); ++k)
-    {
-        for (label j = 0; j < box_.size.y(); ++j)
+    block_.rows(
+        [&](const label q, const label n)
         {
-            const label q = place(0, j, k);
-            for (label i = 0; i < box_.size.x(); ++i, ++n)
+            for (direction d = 0; d < 3; ++d)
             {
-                for (direction d = 0; d < 3; ++d)
-                {
-                    u[d][n] = u_[d][q + i];
-                }
+                std::copy_n(u_[d].data() + q, box_.size.x(), u[d].data() + n);
             }
+        });
+}
+
+void Foam::staggeredFlow::addCells(const vectorField& cells,
+                                   const scalar factor, staggeredField& force)
+{
+    // The pressure correction is free between steps
+    for (direction d = 0; d < 3; ++d)
+    {
+        forAll(cells, celli)
+        {
+            const labelVector l(box_.cell(grid_.index()[celli]) - box_.lo);
+            correction_[block_.place(l)] = 0.5 * factor * cells[celli][d];
+        }
+        block_.update(correction_.data());
+        block_.extend(correction_.data());
+        block_.rows(
+            [&](const label q, const label n)
+            {
+                const double* c = correction_.data() + q;
+                for (label i = 0; i < box_.size.x(); ++i)
+                {
+                    force[d][n + i] += c[i] + c[i - block_.stride(d)];
+                }
+            });
+    }
+}
+
+void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
+{
+    const bool before = explicit_;
+    const scalar limit = RK3_ ? 0.2 : 0.08;
+    const vector& h = grid_.h();
+    const scalar number =
+        nuMax_ * dt * (1 / sqr(h.x()) + 1 / sqr(h.y()) + 1 / sqr(h.z())) / 3;
+
+    if (diffusion_ == "auto")
+    {
+        // Not back and forth where dt varies about the limit
+        explicit_ = number < (explicit_ || !hasLast_ ? 1 : 0.75) * limit;
+    }
+    else
+    {
+        explicit_ = diffusion_ == "explicit";
+        if (explicit_ && number > 1.04 * limit)
+        {
+            refuse(controls_, "diffusion",
+                   "explicit at nu dt/h^2 = " + Foam::name(number),
+                   "auto, ADI or FFT, or a smaller deltaT: explicit diffusion "
+                   "is unstable above " +
+                       Foam::name(1.04 * limit));
         }
     }
+    if (explicit_ != before) hasLast_ = false;
+    if (!explicit_ && !implicit_)
+    {
+        implicit_.reset(new implicitDiffusion(grid_, diffusion_ == "FFT"));
+    }
+    if (explicit_ != before || !chosen_)
+    {
+        chosen_ = true;
+        Info << "Diffusion: "
+             << (explicit_             ? "explicit"
+                 : diffusion_ == "FFT" ? "implicit by fast transforms"
+                                       : "implicit by ADI")
+             << " at nu dt/h^2 = " << number << endl;
+        if (history_) history_->rename(history::nameOf(explicit_));
+    }
+}
+
+void Foam::staggeredFlow::step(const scalar dt, const scalar lastDt,
+                               staggeredField& force)
+{
+    chooseDiffusion(dt);
+
+    const wallVelocities before(walls_);
+    if (wallsChange_)
+    {
+        for (fvPatchVectorField& Ub : U_.boundaryFieldRef())
+        {
+            if (Ub.coupled()) continue;
+            Ub.evaluate();
+        }
+        wallsAhead_ = readWalls();
+    }
+    const wallVelocities after(wallsAhead_);
+    const auto wallsAt = [&](const scalar fraction)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            for (label side = 0; side < 2; ++side)
+            {
+                wallsAhead_[d][side] = (1 - fraction) * before[d][side] +
+                                       fraction * after[d][side];
+            }
+        }
+    };
+
+    gradient_ = 0;
+    if (!RK3_)
+    {
+        const scalar c0 = hasLast_ ? -0.5 * dt / lastDt : 0;
+        hasLast_ = true;
+        predict(dt, {1 - c0, c0, 1}, force);
+        project(dt);
+        gradient_ /= dt;
+        return;
+    }
+
+    static const stage stages[3] = {{8.0 / 15, 0, 8.0 / 15},
+                                    {5.0 / 12, -17.0 / 60, 2.0 / 15},
+                                    {3.0 / 4, -5.0 / 12, 1.0 / 3}};
+    scalar passed = 0;
+    for (const stage& s : stages)
+    {
+        passed += s.rest;
+        wallsAt(passed);
+        for (direction d = 0; d < 3; ++d)
+        {
+            (*increment_)[d] = force[d];
+        }
+        predict(dt, s, *increment_);
+        project(s.rest * dt);
+    }
+    gradient_ /= dt;
+}
+
+Foam::scalar Foam::staggeredFlow::CourantNo(const scalar dt) const
+{
+    scalar largest = 0;
+    const vector r(1 / grid_.h().x(), 1 / grid_.h().y(), 1 / grid_.h().z());
+    block_.rows(
+        [&](const label q, const label)
+        {
+            for (label i = q; i < q + box_.size.x(); ++i)
+            {
+                largest =
+                    max(largest, mag(u_[0][i]) * r.x() + mag(u_[1][i]) * r.y() +
+                                     mag(u_[2][i]) * r.z());
+            }
+        });
+    return dt * returnReduce(largest, maxOp<scalar>());
+}
+
+Foam::scalar Foam::staggeredFlow::divergence()
+{
+    updateVelocity();
+    scalar largest = 0, speed = SMALL;
+    const vector& h = grid_.h();
+    block_.rows(
+        [&](const label q, const label)
+        {
+            for (label i = q; i < q + box_.size.x(); ++i)
+            {
+                scalar sum = 0;
+                for (direction d = 0; d < 3; ++d)
+                {
+                    sum += (u_[d][i + block_.stride(d)] - u_[d][i]) / h[d];
+                    speed = max(speed, mag(u_[d][i]));
+                }
+                largest = max(largest, mag(sum));
+            }
+        });
+    reduce(largest, maxOp<scalar>());
+    reduce(speed, maxOp<scalar>());
+    return largest * cmptMin(h) / speed;
 }
 
 void Foam::staggeredFlow::fill()
@@ -302,21 +496,31 @@ void Foam::staggeredFlow::fill()
     velocity(u);
     grid_.toFlux(u, phi_);
 
-    forAll(grid_.ijk(), celli)
+    // Cells of a block mostly follow each other: rows without division
+    label last = -2, q = 0, toEnd = 0;
+    forAll(grid_.index(), celli)
     {
-        const labelVector c(grid_.ijk()[celli] - box_.lo);
-        const label q = place(c.x(), c.y(), c.z());
-        const label i = box_.index(grid_.ijk()[celli]);
+        const label n = grid_.index()[celli];
+        if (n == last + 1 && toEnd > 1)
+        {
+            ++q;
+            --toEnd;
+        }
+        else
+        {
+            const labelVector l(box_.cell(n) - box_.lo);
+            q = block_.place(l);
+            toEnd = box_.size.x() - l.x();
+        }
+        last = n;
         for (direction d = 0; d < 3; ++d)
         {
-            U_[celli][d] = 0.5 * (u_[d][q] + u_[d][q + stride_[d]]);
-            convection_[celli][d] = h_[d][i];
+            U_[celli][d] = 0.5 * (u_[d][q] + u_[d][q + block_.stride(d)]);
         }
-        p_[celli] = p_halo_[q];
+        p_[celli] = pressure_[q];
     }
     Info << "Largest divergence, relative to max|u|/h: " << divergence()
          << endl;
     U_.correctBoundaryConditions();
     p_.correctBoundaryConditions();
-    convection_.correctBoundaryConditions();
 }

@@ -104,7 +104,8 @@ label rankOf(const label n, const label i)
 
 Foam::fastHelmholtz::fastHelmholtz(const uniformGrid& grid,
                                    const FixedList<sideConditions, 3>& sides,
-                                   const List<labelVector>& cells)
+                                   const List<labelVector>& cells,
+                                   const labelUList& places)
     : sides_(sides),
       plans_(new plans)
 {
@@ -116,6 +117,10 @@ Foam::fastHelmholtz::fastHelmholtz(const uniformGrid& grid,
         const bool walled = !sides[d].periodic && grid.n()[d] > 1;
         const bool longer = grid.n()[d] >= grid.n()[swept_];
         if (walled || (sides[swept_].periodic && longer)) swept_ = d;
+    }
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (sides[d].faces) swept_ = d;
     }
     fast_ = swept_ == 0 ? 2 : 0;
     slow_ = 3 - swept_ - fast_;
@@ -140,7 +145,7 @@ Foam::fastHelmholtz::fastHelmholtz(const uniformGrid& grid,
             nFast_ * (c[slow_] +
                       nSlow_ * (c[swept_] - firstOf(nSwept_, rank[celli])));
     }
-    toPlanes_.reset(new indexExchange(rank, place));
+    toPlanes_.reset(new indexExchange(rank, place, places));
 
     const label nPlaneValues = planes_ * nSlow_ * nFast_;
     plans_->planes = fftw_alloc_real(std::max(nPlaneValues, label(1)));
@@ -185,6 +190,7 @@ Foam::fastHelmholtz::fastHelmholtz(const uniformGrid& grid,
     eigenSlow_ = eigenvalues(sides[slow_], nSlow_);
     eigenFast_ = eigenvalues(sides[fast_], nFast_);
     work_.resize(2 * nSwept_ * nFast_);
+    constant_.resize(2 * nSwept_);
 }
 
 Foam::fastHelmholtz::~fastHelmholtz() {}
@@ -217,8 +223,11 @@ void Foam::fastHelmholtz::sweepRow(double* row, const label slowMode,
     for (label j = 0; j <= last; ++j)
     {
         double diag = base;
-        if (!cyclic && j == 0) diag += ends.lowerDirichlet ? at : -at;
-        if (!cyclic && j == n - 1) diag += ends.upperDirichlet ? at : -at;
+        if (!cyclic && !ends.faces)
+        {
+            if (j == 0) diag += ends.lowerDirichlet ? at : -at;
+            if (j == n - 1) diag += ends.upperDirichlet ? at : -at;
+        }
 
         double* __restrict__ x = row + j * stride;
         const double* __restrict__ xm = x - stride;
@@ -226,9 +235,11 @@ void Foam::fastHelmholtz::sweepRow(double* row, const label slowMode,
         const double* __restrict__ cm = cj - m;
         if (j == 0)
         {
+            // A value on the wall is zero
+            const double open = ends.faces ? 0 : 1;
             for (label i = 0; i < m; ++i)
             {
-                const double r = 1 / (diag + af * eigen[i]);
+                const double r = open / (diag + af * eigen[i]);
                 cj[i] = at * r;
                 x[i] = scale * x[i] * r;
             }
@@ -299,26 +310,25 @@ void Foam::fastHelmholtz::sweepRow(double* row, const label slowMode,
     }
 }
 
-// The singular column of the constant mode, by two summations: first the
-// differences, then the values; the means of b and x are taken out.
-void Foam::fastHelmholtz::sweepConstant(double* column, const label stride,
-                                        const scalar a) const
+// The singular column of the constant mode, in constant_, by two summations:
+// first the differences, then the values; the means of b and x are taken out.
+void Foam::fastHelmholtz::sweepConstant(const scalar a)
 {
     const label n = nSwept_;
+    double* b = constant_.data();
+    double* x = b + n;
     double mean = 0;
     for (label j = 0; j < n; ++j)
     {
-        mean += column[j * stride];
+        mean += b[j] / n;
     }
-    mean /= n;
 
-    std::vector<double> x(n);
     double slope = 0, value = 0, sum = 0, sumSlope = 0;
     for (label j = 0; j < n; ++j)
     {
         x[j] = value;
         sum += value;
-        slope -= scale_ * (column[j * stride] - mean) / a;
+        slope -= scale_ * (b[j] - mean) / a;
         sumSlope += slope;
         value += slope;
     }
@@ -327,7 +337,7 @@ void Foam::fastHelmholtz::sweepConstant(double* column, const label stride,
     sum -= closing * 0.5 * n * (n - 1);
     for (label j = 0; j < n; ++j)
     {
-        column[j * stride] = x[j] - closing * j - sum / n;
+        b[j] = x[j] - closing * j - sum / n;
     }
 }
 
@@ -341,15 +351,13 @@ void Foam::fastHelmholtz::solve(scalar* x, const scalar* b, const scalar sigma,
     const bool skipConstant = singular(sigma) && firstRow_ == 0 && rows_ > 0;
     const label stride = nFast_ * rows_;
     const double eigenOfConstant = eigenFast_[0];
-    std::vector<double> constantMode;
     if (skipConstant)
     {
-        constantMode.resize(nSwept_);
         for (label j = 0; j < nSwept_; ++j)
         {
-            constantMode[j] = plans_->rows[j * stride];
+            constant_[j] = plans_->rows[j * stride];
         }
-        sweepConstant(constantMode.data(), 1, a[swept_]);
+        sweepConstant(a[swept_]);
 
         // Keep the general sweep away from a zero pivot (a trapped exception)
         eigenFast_[0] = 1;
@@ -363,7 +371,7 @@ void Foam::fastHelmholtz::solve(scalar* x, const scalar* b, const scalar sigma,
     {
         for (label j = 0; j < nSwept_; ++j)
         {
-            plans_->rows[j * stride] = constantMode[j];
+            plans_->rows[j * stride] = constant_[j];
         }
     }
 
@@ -376,13 +384,18 @@ Foam::fastHelmholtz&
 Foam::fastHelmholtzCache::get(const FixedList<sideConditions, 3>& sides) const
 {
     const label code =
-        sides[0].code() + 5 * (sides[1].code() + 5 * sides[2].code());
+        sides[0].code() + 6 * (sides[1].code() + 6 * sides[2].code());
     for (auto& entry : kept_)
     {
         if (entry.first == code) return *entry.second;
     }
     const uniformGrid& grid = uniformGrid::New(this->mesh_);
+    List<labelVector> cells(grid.index().size());
+    forAll(cells, celli)
+    {
+        cells[celli] = grid.ijk(celli);
+    }
     kept_.emplace_back(code, std::unique_ptr<fastHelmholtz>(
-                                 new fastHelmholtz(grid, sides, grid.ijk())));
+                                 new fastHelmholtz(grid, sides, cells)));
     return *kept_.back().second;
 }

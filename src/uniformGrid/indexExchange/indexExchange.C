@@ -1,118 +1,170 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "indexExchange.H"
+#include "DynamicList.H"
 #include "PstreamBuffers.H"
 
-Foam::indexExchange::indexExchange(const labelUList& rank,
-                                   const labelUList& place)
-    : source_(Pstream::nProcs()),
-      target_(Pstream::nProcs()),
-      sent_(Pstream::nProcs()),
-      received_(Pstream::nProcs())
+int64_t Foam::indexExchange::messages = 0;
+int64_t Foam::indexExchange::bytes = 0;
+
+// Longest stretches along which both lists have a constant stride
+template<class Visit>
+void Foam::indexExchange::divide(const labelUList& a, const labelUList& b,
+                                 Visit visit)
 {
+    for (label begin = 0; begin < a.size();)
+    {
+        label end = begin + 1;
+        label sa = 1, sb = 1;
+        if (end < a.size())
+        {
+            sa = a[end] - a[begin];
+            sb = b[end] - b[begin];
+        }
+        while (end < a.size() && a[end] - a[end - 1] == sa &&
+               b[end] - b[end - 1] == sb)
+        {
+            ++end;
+        }
+        visit(run{a[begin], sa, end - begin}, run{b[begin], sb, end - begin});
+        begin = end;
+    }
+}
+
+Foam::List<Foam::indexExchange::run>
+Foam::indexExchange::runs(const labelUList& places)
+{
+    DynamicList<run> all;
+    divide(places, places, [&](const run& r, const run&) { all.append(r); });
+    return List<run>(std::move(all));
+}
+
+Foam::indexExchange::indexExchange(const labelUList& rank,
+                                   const labelUList& place,
+                                   const labelUList& source)
+{
+    const label me = Pstream::myProcNo();
     labelList count(Pstream::nProcs(), Zero);
     forAll(rank, i)
     {
         ++count[rank[i]];
     }
-    List<labelList> places(Pstream::nProcs());
-    forAll(source_, proci)
+    List<labelList> sources(Pstream::nProcs()), places(Pstream::nProcs());
+    forAll(count, proci)
     {
-        source_[proci].setSize(count[proci]);
+        sources[proci].setSize(count[proci]);
         places[proci].setSize(count[proci]);
     }
     count = 0;
     forAll(rank, i)
     {
         const label k = count[rank[i]]++;
-        source_[rank[i]][k] = i;
+        sources[rank[i]][k] = source.size() ? source[i] : i;
         places[rank[i]][k] = place[i];
     }
+
+    DynamicList<run> from, to;
+    divide(sources[me], places[me],
+           [&](const run& s, const run& t)
+           {
+               from.append(s);
+               to.append(t);
+           });
+    ownSource_.transfer(from);
+    ownTarget_.transfer(to);
+    if (!Pstream::parRun()) return;
 
     PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
     forAll(places, proci)
     {
-        if (proci == Pstream::myProcNo())
-        {
-            target_[proci] = places[proci];
-        }
-        else if (places[proci].size())
+        if (proci != me && places[proci].size())
         {
             UOPstream os(proci, buffers);
             os << places[proci];
         }
     }
-    labelList bytes;
-    buffers.finishedSends(bytes);
-    forAll(bytes, proci)
+    labelList sizes;
+    buffers.finishedSends(sizes);
+    forAll(sizes, proci)
     {
-        if (bytes[proci] && proci != Pstream::myProcNo())
+        labelList theirs;
+        if (proci != me && sizes[proci])
         {
             UIPstream is(proci, buffers);
-            is >> target_[proci];
+            is >> theirs;
         }
-    }
+        const labelList& ours = sources[proci];
+        if (proci == me || (theirs.empty() && ours.empty())) continue;
 
-    forAll(source_, proci)
-    {
-        if (proci != Pstream::myProcNo())
-        {
-            const label n = max(source_[proci].size(), target_[proci].size());
-            sent_[proci].setSize(n);
-            received_[proci].setSize(n);
-        }
+        routes_.append(route{proci, ours.size(), theirs.size(), runs(ours),
+                             runs(theirs),
+                             scalarField(max(ours.size(), theirs.size())),
+                             scalarField(max(ours.size(), theirs.size()))});
     }
 }
 
-void Foam::indexExchange::transfer(const List<labelList>& from,
-                                   const List<labelList>& to, const scalar* src,
+void Foam::indexExchange::transfer(const bool forward, const scalar* src,
                                    scalar* dst) const
 {
-    const label me = Pstream::myProcNo();
     const label pending = Pstream::nRequests();
 
-    forAll(to, proci)
+    for (const route& r : routes_)
     {
-        if (proci != me && to[proci].size())
+        if (const label n = forward ? r.there : r.here)
         {
-            UIPstream::read(Pstream::commsTypes::nonBlocking, proci,
-                            reinterpret_cast<char*>(received_[proci].data()),
-                            to[proci].size() * sizeof(scalar));
+            UIPstream::read(Pstream::commsTypes::nonBlocking, r.rank,
+                            reinterpret_cast<char*>(r.in.data()),
+                            n * sizeof(scalar));
         }
     }
-    forAll(from, proci)
+    for (const route& r : routes_)
     {
-        if (proci != me && from[proci].size())
+        scalar* buf = r.out.data();
+        for (const run& s : forward ? r.source : r.target)
         {
-            scalar* buf = sent_[proci].data();
-            for (const label i : from[proci])
+            for (label i = 0; i < s.length; ++i)
             {
-                *buf++ = src[i];
+                *buf++ = src[s.start + i * s.stride];
             }
-            UOPstream::write(
-                Pstream::commsTypes::nonBlocking, proci,
-                reinterpret_cast<const char*>(sent_[proci].cdata()),
-                from[proci].size() * sizeof(scalar));
+        }
+        if (const label n = forward ? r.here : r.there)
+        {
+            UOPstream::write(Pstream::commsTypes::nonBlocking, r.rank,
+                             reinterpret_cast<const char*>(r.out.cdata()),
+                             n * sizeof(scalar));
+            ++messages;
+            bytes += n * sizeof(scalar);
         }
     }
 
-    const label* __restrict__ f = from[me].cdata();
-    const label* __restrict__ t = to[me].cdata();
-    const label n = from[me].size();
-    for (label k = 0; k < n; ++k)
+    const List<run>& from = forward ? ownSource_ : ownTarget_;
+    const List<run>& to = forward ? ownTarget_ : ownSource_;
+    forAll(from, k)
     {
-        dst[t[k]] = src[f[k]];
+        const scalar* f = src + from[k].start;
+        scalar* t = dst + to[k].start;
+        const label sf = from[k].stride, st = to[k].stride;
+        const label n = from[k].length;
+        if (sf == 1 && st == 1)
+        {
+            std::copy(f, f + n, t);
+            continue;
+        }
+        for (label i = 0; i < n; ++i)
+        {
+            t[i * st] = f[i * sf];
+        }
     }
 
     Pstream::waitRequests(pending);
-    forAll(to, proci)
+    for (const route& r : routes_)
     {
-        if (proci != me)
+        const scalar* buf = r.in.cdata();
+        for (const run& t : forward ? r.target : r.source)
         {
-            const scalar* buf = received_[proci].cdata();
-            for (const label i : to[proci])
+            for (label i = 0; i < t.length; ++i)
             {
-                dst[i] = *buf++;
+                dst[t.start + i * t.stride] = *buf++;
             }
         }
     }

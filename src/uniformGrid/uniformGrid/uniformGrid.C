@@ -20,7 +20,6 @@ Foam::uniformGrid::uniformGrid(const fvMesh& mesh)
 {
     reason_ = recogniseCells();
     if (valid()) reason_ = recogniseSides();
-    if (valid()) addressFaces();
 }
 
 Foam::string Foam::uniformGrid::recogniseCells()
@@ -62,7 +61,7 @@ Foam::string Foam::uniformGrid::recogniseCells()
     }
 
     // Boxes of equal size that fill the bounding box on lattice positions
-    ijk_.setSize(nCells);
+    List<labelVector> ijk(nCells);
     labelVector lo(labelVector::max), hi(labelVector::min);
     bool aligned = true;
     for (label celli = 0; celli < nCells; ++celli)
@@ -71,12 +70,12 @@ Foam::string Foam::uniformGrid::recogniseCells()
         for (direction d = 0; d < 3; ++d)
         {
             const scalar at = c[d] / h_[d] - 0.5;
-            ijk_[celli][d] = label(floor(at + 0.5));
+            ijk[celli][d] = label(floor(at + 0.5));
             aligned =
-                aligned && mag(at - ijk_[celli][d]) < positionTolerance * n_[d];
+                aligned && mag(at - ijk[celli][d]) < positionTolerance * n_[d];
         }
-        lo = min(lo, ijk_[celli]);
-        hi = max(hi, ijk_[celli]);
+        lo = min(lo, ijk[celli]);
+        hi = max(hi, ijk[celli]);
         aligned = aligned && mag(mesh.cellVolumes()[celli] / cellVolume() - 1) <
                                  10 * positionTolerance;
     }
@@ -84,6 +83,11 @@ Foam::string Foam::uniformGrid::recogniseCells()
     {
         box_.lo = lo;
         box_.size = hi - lo + labelVector::one;
+    }
+    index_.setSize(nCells);
+    forAll(index_, celli)
+    {
+        index_[celli] = box_.index(ijk[celli]);
     }
 
     reduce(aligned, andOp<bool>());
@@ -101,11 +105,6 @@ Foam::string Foam::uniformGrid::recogniseCells()
     return string::null;
 }
 
-bool Foam::uniformGrid::lowerSide(const label facei) const
-{
-    return mesh_.faceAreas()[facei][faceDir_[facei]] < 0;
-}
-
 Foam::string Foam::uniformGrid::recogniseSides()
 {
     const fvMesh& mesh = mesh_;
@@ -114,8 +113,9 @@ Foam::string Foam::uniformGrid::recogniseSides()
     forAll(faceDir_, facei)
     {
         const vector s(cmptMag(mesh.faceAreas()[facei]));
-        faceDir_[facei] =
+        const direction d =
             (s.x() > s.y() && s.x() > s.z()) ? 0 : (s.y() > s.z() ? 1 : 2);
+        faceDir_[facei] = d + (mesh.faceAreas()[facei][d] < 0 ? 4 : 0);
     }
 
     // A side of the box is periodic where all its faces are coupled
@@ -131,8 +131,8 @@ Foam::string Foam::uniformGrid::recogniseSides()
         forAll(pp, i)
         {
             const label facei = pp.start() + i;
-            const direction d = faceDir_[facei];
-            const label at = ijk_[mesh.faceOwner()[facei]][d];
+            const direction d = faceDirection(facei);
+            const label at = ijk(mesh.faceOwner()[facei])[d];
             if (at == (lowerSide(facei) ? 0 : n_[d] - 1))
             {
                 // Between two ranks inside the box the cell is at the side
@@ -165,32 +165,14 @@ Foam::string Foam::uniformGrid::recogniseSides()
     return string::null;
 }
 
-void Foam::uniformGrid::addressFaces()
+Foam::label Foam::uniformGrid::cellAbove(const label facei) const
 {
-    const fvMesh& mesh = mesh_;
-    const labelUList& own = mesh.faceOwner();
-    const labelUList& nei = mesh.faceNeighbour();
-
-    for (labelList& l : lowerFace_)
+    if (facei < mesh_.nInternalFaces())
     {
-        l.setSize(mesh.nCells());
-        l = 0;
+        return lowerSide(facei) ? mesh_.faceOwner()[facei]
+                                : mesh_.faceNeighbour()[facei];
     }
-
-    for (label facei = 0; facei < mesh.nFaces(); ++facei)
-    {
-        const direction d = faceDir_[facei];
-        const bool up = !lowerSide(facei);
-        if (facei < mesh.nInternalFaces())
-        {
-            lowerFace_[d][up ? nei[facei] : own[facei]] =
-                up ? facei + 1 : -(facei + 1);
-        }
-        else if (!up)
-        {
-            lowerFace_[d][own[facei]] = -(facei + 1);
-        }
-    }
+    return lowerSide(facei) ? mesh_.faceOwner()[facei] : -1;
 }
 
 void Foam::uniformGrid::require(const dictionary& dict, const string& who) const
@@ -209,27 +191,26 @@ void Foam::uniformGrid::toStaggered(const surfaceScalarField& phi,
 {
     const fvMesh& mesh = mesh_;
 
-    // Places of other ranks' cells may hold what was spread there
-    if (ijk_.size() < box_.count()) u.clear();
+    // Faces of walls, and places of other ranks' cells
+    u.clear();
 
-    scalarField flat(mesh.nFaces(), Zero);
-    SubList<scalar>(flat, mesh.nInternalFaces()) = phi.primitiveField();
+    const auto set = [&](const label facei, const scalar flux)
+    {
+        const label celli = cellAbove(facei);
+        if (celli < 0) return;
+        const direction d = faceDirection(facei);
+        u[d][index_[celli]] = (lowerSide(facei) ? -flux : flux) / faceArea(d);
+    };
+    forAll(phi, facei)
+    {
+        set(facei, phi[facei]);
+    }
     forAll(phi.boundaryField(), patchi)
     {
-        const scalarField& p = phi.boundaryField()[patchi];
-        SubList<scalar>(flat, p.size(), mesh.boundaryMesh()[patchi].start()) =
-            p;
-    }
-
-    for (direction d = 0; d < 3; ++d)
-    {
-        const scalar rA = 1 / faceArea(d);
-        forAll(ijk_, celli)
+        const label start = mesh.boundaryMesh()[patchi].start();
+        forAll(phi.boundaryField()[patchi], i)
         {
-            const label face = lowerFace_[d][celli];
-            u[d][box_.index(ijk_[celli])] = rA * (face > 0   ? flat[face - 1]
-                                                  : face < 0 ? -flat[-face - 1]
-                                                             : 0);
+            set(start + i, phi.boundaryField()[patchi][i]);
         }
     }
 }
@@ -239,24 +220,26 @@ void Foam::uniformGrid::toFlux(const staggeredField& u,
 {
     const fvMesh& mesh = mesh_;
 
-    scalarField flat(mesh.nFaces(), Zero);
-    for (direction d = 0; d < 3; ++d)
+    const auto fluxOf = [&](const label facei)
     {
-        const scalar area = faceArea(d);
-        forAll(ijk_, celli)
-        {
-            const label face = lowerFace_[d][celli];
-            const scalar value = area * u[d][box_.index(ijk_[celli])];
-            if (face > 0) flat[face - 1] = value;
-            if (face < 0) flat[-face - 1] = -value;
-        }
+        const label celli = cellAbove(facei);
+        if (celli < 0) return 0.0;
+        const direction d = faceDirection(facei);
+        const scalar value = faceArea(d) * u[d][index_[celli]];
+        return lowerSide(facei) ? -value : value;
+    };
+    forAll(flux, facei)
+    {
+        flux[facei] = fluxOf(facei);
     }
 
-    flux.primitiveFieldRef() = SubList<scalar>(flat, mesh.nInternalFaces());
-
     // The upper side of a coupled pair takes the (outward) flux of the lower
-    scalarField other(SubList<scalar>(
-        flat, mesh.nFaces() - mesh.nInternalFaces(), mesh.nInternalFaces()));
+    const label begin = mesh.nInternalFaces();
+    scalarField other(mesh.nFaces() - begin);
+    forAll(other, i)
+    {
+        other[i] = fluxOf(begin + i);
+    }
     syncTools::swapBoundaryFaceList(mesh, other);
 
     surfaceScalarField::Boundary& bf = flux.boundaryFieldRef();
@@ -266,10 +249,9 @@ void Foam::uniformGrid::toFlux(const staggeredField& u,
         forAll(bf[patchi], i)
         {
             const label facei = pp.start() + i;
-            bf[patchi][i] = !pp.coupled() ? 0
-                            : lowerSide(facei)
-                                ? flat[facei]
-                                : -other[facei - mesh.nInternalFaces()];
+            bf[patchi][i] = !pp.coupled()      ? 0
+                            : lowerSide(facei) ? fluxOf(facei)
+                                               : -other[facei - begin];
         }
     }
 }

@@ -1,0 +1,169 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "flowSources.H"
+#include "fvMatrices.H"
+#include "lowModeForcing.H"
+
+namespace
+{
+using namespace Foam;
+
+const wordList explicitTypes({"buoyancyForce", "actuationDiskSource",
+                              "radialActuationDiskSource", "rotorDisk",
+                              "tabulatedAccelerationSource",
+                              "vectorCodedSource", "vectorSemiImplicitSource"});
+
+//- The source of one option; per unit mass and volume of the cell, negative
+fvVectorMatrix matrixOf(fv::option& o, const volVectorField& U)
+{
+    fvVectorMatrix eqn(U, dimVolume * dimAcceleration);
+    const label fieldi = o.applyToField(U.name());
+    if (fieldi >= 0 && o.isActive())
+    {
+        o.setApplied(fieldi);
+        o.addSup(eqn, fieldi);
+    }
+    return eqn;
+}
+
+//- Axis of a vector; 3 if it has none
+direction axisOf(const vector& v)
+{
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (mag(v[d]) == mag(v)) return d;
+    }
+    return 3;
+}
+} // namespace
+
+Foam::string Foam::flowSources::unsupported(const fv::option& o,
+                                            const volVectorField& U)
+{
+    if (o.type() == "deformableBodies" || isA<fv::lowModeForcing>(o) ||
+        const_cast<fv::option&>(o).applyToField(U.name()) < 0)
+    {
+        return string::null;
+    }
+    if (o.type() == "meanVelocityForce")
+    {
+        const direction d = axisOf(o.coeffs().get<vector>("Ubar"));
+        if (d > 2 || !uniformGrid::New(U.mesh()).periodic(d))
+        {
+            return "Ubar of fvOption " + o.name() +
+                   " is not along one periodic direction";
+        }
+        if (o.coeffs().getOrDefault<word>("selectionMode", "all") != "all")
+        {
+            return "fvOption " + o.name() + " does not act on all cells";
+        }
+        return string::null;
+    }
+    if (!explicitTypes.found(o.type()))
+    {
+        return "it does not know fvOption " + o.name() + " of type " + o.type();
+    }
+    if (o.type() == "vectorSemiImplicitSource" &&
+        matrixOf(const_cast<fv::option&>(o), U).hasDiag())
+    {
+        return "fvOption " + o.name() + " has an implicit part";
+    }
+    return string::null;
+}
+
+Foam::string Foam::flowSources::unsupported(const fv::optionList& options,
+                                            const volVectorField& U)
+{
+    label n = 0;
+    for (const fv::option& o : static_cast<const PtrList<fv::option>&>(options))
+    {
+        const string reason(unsupported(o, U));
+        if (!reason.empty()) return reason;
+        if (o.type() == "meanVelocityForce" && ++n > 1)
+        {
+            return "there is more than one meanVelocityForce";
+        }
+    }
+    return string::null;
+}
+
+Foam::flowSources::flowSources(fv::optionList& options, volVectorField& U,
+                               staggeredFlow& flow, effectLedger& effects)
+    : options_(options),
+      U_(U),
+      flow_(flow),
+      effects_(effects)
+{
+    forAll(options_, i)
+    {
+        fv::option& o = options_[i];
+        if (o.applyToField(U.name()) < 0) continue;
+        if (isA<fv::lowModeForcing>(o)) forcings_.append(i);
+        if (explicitTypes.found(o.type())) explicit_.append(i);
+        if (o.type() == "meanVelocityForce")
+        {
+            held_ = i;
+            const vector Ubar(o.coeffs().get<vector>("Ubar"));
+            flow_.hold(axisOf(Ubar), Ubar[axisOf(Ubar)]);
+            if (Pstream::master())
+            {
+                const Time& time = U.time();
+                const fileName dir(time.globalPath() / "postProcessing" /
+                                   o.name() / time.timeName());
+                mkDir(dir);
+                file_.reset(new OFstream(dir / "pressureGradient.dat"));
+                *file_ << "# time gradient uncorrectedUbar" << endl;
+                file_->precision(12);
+            }
+        }
+    }
+    const bool any = forcings_.size() || explicit_.size() || held_ >= 0;
+    effects_.declare("sources", any,
+                     any ? "constant/fvOptions" : "none in constant/fvOptions");
+}
+
+void Foam::flowSources::addCellSource(fv::option& o, staggeredField& force)
+{
+    const uniformGrid& grid = uniformGrid::New(U_.mesh());
+    const fvVectorMatrix eqn(matrixOf(o, U_));
+    if (eqn.hasDiag())
+    {
+        FatalIOErrorInFunction(o.coeffs())
+            << "fvOption " << o.name() << " has an implicit part, which the "
+            << "staggered algorithm does not know; use flowAlgorithm pimple"
+            << exit(FatalIOError);
+    }
+    flow_.addCells(eqn.source(), -1 / grid.cellVolume(), force);
+}
+
+void Foam::flowSources::add(staggeredField& force)
+{
+    if (explicit_.size()) flow_.fill();
+    if (forcings_.empty() && explicit_.empty()) return;
+
+    const auto timing(effects_.time("sources"));
+    for (const label i : forcings_)
+    {
+        if (options_[i].isActive())
+        {
+            refCast<fv::lowModeForcing>(options_[i]).addTo(force);
+        }
+    }
+    for (const label i : explicit_)
+    {
+        addCellSource(options_[i], force);
+    }
+}
+
+void Foam::flowSources::report()
+{
+    if (held_ < 0) return;
+    Info << "Pressure gradient source: uncorrected Ubar = "
+         << flow_.meanBefore()
+         << ", pressure gradient = " << flow_.meanGradient() << endl;
+    if (file_.valid())
+    {
+        *file_ << U_.time().value() << ' ' << flow_.meanGradient() << ' '
+               << flow_.meanBefore() << endl;
+    }
+}

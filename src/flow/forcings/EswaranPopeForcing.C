@@ -1,0 +1,173 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "EswaranPopeForcing.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryChecks.H"
+#include "IOdictionary.H"
+
+namespace Foam
+{
+namespace fv
+{
+defineTypeNameAndDebug(EswaranPopeForcing, 0);
+addToRunTimeSelectionTable(option, EswaranPopeForcing, dictionary);
+} // namespace fv
+} // namespace Foam
+
+struct Foam::fv::EswaranPopeForcing::state : public regIOobject
+{
+    const EswaranPopeForcing& forcing_;
+
+    state(const EswaranPopeForcing& f, const fvMesh& mesh)
+        : regIOobject(IOobject(f.name(), mesh.time().timeName(), "uniform",
+                               mesh, IOobject::NO_READ, IOobject::AUTO_WRITE)),
+          forcing_(f)
+    {
+    }
+
+    virtual const word& type() const { return IOdictionary::typeName; }
+
+    virtual bool writeData(Ostream& os) const
+    {
+        scalarField values;
+        for (const auto& b : forcing_.b_)
+        {
+            for (const complexNumber& c : b)
+            {
+                values.append(c.real());
+                values.append(c.imag());
+            }
+        }
+        os.writeEntry("steps", forcing_.steps_);
+        values.writeEntry("values", os);
+        return os.good();
+    }
+};
+
+Foam::fv::EswaranPopeForcing::EswaranPopeForcing(const word& name,
+                                                 const word& modelType,
+                                                 const dictionary& dict,
+                                                 const fvMesh& mesh)
+    : lowModeForcing(name, modelType, dict, mesh),
+      timeScale_(readPositive(coeffs_, "timeScale", dimTime)),
+      seed_(coeffs_.getOrDefault<label>("seed", 1))
+{
+    const scalar acceleration =
+        readPositive(coeffs_, "acceleration", dimAcceleration);
+    const scalar radius = coeffs_.getOrDefault<scalar>("maxWaveNumber", 2);
+    if (!(radius >= 1))
+    {
+        refuse(coeffs_, "maxWaveNumber", Foam::name(radius), "1 and greater");
+    }
+
+    // One of each pair m, -m
+    const label M = label(radius);
+    std::vector<mode> modes;
+    for (label x = 0; x <= M; ++x)
+    {
+        for (label y = -M; y <= M; ++y)
+        {
+            for (label z = -M; z <= M; ++z)
+            {
+                const bool first = x > 0 || y > 0 || (y == 0 && z > 0);
+                if (first && !(x == 0 && y < 0) &&
+                    x * x + y * y + z * z <= sqr(radius) * (1 + 1e-12))
+                {
+                    modes.push_back({labelVector(x, y, z), {0, 0, 0}});
+                }
+            }
+        }
+    }
+    setModes(modes, "maxWaveNumber");
+
+    // Two of three components survive the projection: mean |f|^2 is twice
+    // deviation^2 per mode
+    deviation_ = acceleration / std::sqrt(2.0 * modes.size());
+
+    b_.resize(modes.size());
+    IOobject io(name, mesh.time().timeName(), "uniform", mesh,
+                IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    if (io.typeHeaderOk<IOdictionary>(true))
+    {
+        const IOdictionary old(io);
+        const scalarField values("values", old,
+                                 label(6 * b_.size())); // checks the size
+        steps_ = old.get<label>("steps");
+        for (size_t m = 0; m < b_.size(); ++m)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                b_[m][d] = complexNumber(values[6 * m + 2 * d],
+                                         values[6 * m + 2 * d + 1]);
+            }
+        }
+    }
+    else
+    {
+        for (size_t m = 0; m < b_.size(); ++m)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                b_[m][d] = random(m, d);
+            }
+        }
+    }
+    state_.reset(new state(*this, mesh));
+    project();
+}
+
+Foam::fv::EswaranPopeForcing::~EswaranPopeForcing() {}
+
+// Two normal deviates (Box & Muller) from a hash of seed, step, mode and
+// component (the finaliser of splitmix64)
+Foam::fv::EswaranPopeForcing::complexNumber
+Foam::fv::EswaranPopeForcing::random(const label modei, const direction d) const
+{
+    uint64_t x = uint64_t(seed_);
+    const auto mix = [&](const uint64_t add)
+    {
+        x += 0x9e3779b97f4a7c15ull + add;
+        x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
+        x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
+        x ^= x >> 31;
+        return (double(x >> 11) + 0.5) / 9007199254740992.0; // 2^53
+    };
+    mix(uint64_t(steps_));
+    const double u = mix(uint64_t(3 * modei + d));
+    const double v = mix(0);
+    return std::polar(std::sqrt(-2 * std::log(u)),
+                      constant::mathematical::twoPi * v);
+}
+
+void Foam::fv::EswaranPopeForcing::project()
+{
+    for (size_t m = 0; m < b_.size(); ++m)
+    {
+        const vector k(waveVector(modes()[m].m));
+        const complexNumber along =
+            (k[0] * b_[m][0] + k[1] * b_[m][1] + k[2] * b_[m][2]) / magSqr(k);
+        for (direction d = 0; d < 3; ++d)
+        {
+            modes()[m].c[d] = deviation_ * (b_[m][d] - along * k[d]);
+        }
+    }
+}
+
+void Foam::fv::EswaranPopeForcing::update()
+{
+    const Time& time = mesh_.time();
+    if (lastIndex_ == time.timeIndex()) return;
+    lastIndex_ = time.timeIndex();
+
+    ++steps_;
+    const scalar keep = std::exp(-time.deltaTValue() / timeScale_);
+    const scalar fresh = std::sqrt(1 - sqr(keep));
+    for (size_t m = 0; m < b_.size(); ++m)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            b_[m][d] = keep * b_[m][d] + fresh * random(m, d);
+        }
+    }
+    project();
+}

@@ -1,0 +1,74 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "haloBlock.H"
+
+Foam::haloBlock::haloBlock(const uniformGrid& grid)
+    : grid_(grid),
+      box_(grid.box())
+{
+    stride_[0] = 1;
+    stride_[1] = box_.size.x() + 2;
+    stride_[2] = stride_[1] * (box_.size.y() + 2);
+
+    const List<cellBox> boxes(grid.allBoxes());
+    DynamicList<label> rank, theirs, ours;
+    const auto visit = [&](const labelVector& local)
+    {
+        labelVector c(box_.lo + local);
+        for (direction d = 0; d < 3; ++d)
+        {
+            const label n = grid.n()[d];
+            if (!grid.periodic(d) && (c[d] < 0 || c[d] >= n)) return;
+            c[d] = (c[d] + n) % n;
+        }
+        forAll(boxes, proci)
+        {
+            const cellBox& b = boxes[proci];
+            if (!b.contains(c)) continue;
+            const labelVector l(c - b.lo);
+            rank.append(proci);
+            theirs.append((l.x() + 1) +
+                          (b.size.x() + 2) *
+                              ((l.y() + 1) + (b.size.y() + 2) * (l.z() + 1)));
+            ours.append(place(local));
+            break;
+        }
+    };
+
+    // The two z layers whole; then y without their edges; then x
+    for (const direction d : {2, 1, 0})
+    {
+        for (const label at : {-1, box_.size[d]})
+        {
+            layer(d, at,
+                  [&](const labelVector& l)
+                  {
+                      for (direction e = d + 1; e < 3; ++e)
+                      {
+                          if (l[e] < 0 || l[e] >= box_.size[e]) return;
+                      }
+                      visit(l);
+                  });
+        }
+    }
+    exchange_.reset(new indexExchange(rank, theirs, ours));
+}
+
+void Foam::haloBlock::extend(scalar* f) const
+{
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (wallBelow(d))
+        {
+            layer(d, -1,
+                  [&](const labelVector& l)
+                  { f[place(l)] = f[place(l) + stride_[d]]; });
+        }
+        if (wallAbove(d))
+        {
+            layer(d, box_.size[d],
+                  [&](const labelVector& l)
+                  { f[place(l)] = f[place(l) - stride_[d]]; });
+        }
+    }
+}
