@@ -1,0 +1,169 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "energySpectrum.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryChecks.H"
+#include "IOdictionary.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+defineTypeNameAndDebug(energySpectrum, 0);
+addToRunTimeSelectionTable(functionObject, energySpectrum, dictionary);
+} // namespace functionObjects
+} // namespace Foam
+
+Foam::functionObjects::energySpectrum::energySpectrum(const word& name,
+                                                      const Time& time,
+                                                      const dictionary& dict)
+    : fvMeshFunctionObject(name, time, dict),
+      writeFile(mesh_, name, typeName, dict),
+      grid_(uniformGrid::New(mesh_))
+{
+    read(dict);
+    resetFile("turbulence");
+    if (Pstream::master())
+    {
+        file() << "# time kineticEnergy dissipation rms taylorLength ReLambda "
+               << "integralLength kolmogorovLength" << endl;
+    }
+}
+
+bool Foam::functionObjects::energySpectrum::read(const dictionary& dict)
+{
+    fvMeshFunctionObject::read(dict);
+    writeFile::read(dict);
+
+    grid_.require(dict, typeName);
+    FixedList<sideConditions, 3> sides;
+    for (direction d = 0; d < 3; ++d)
+    {
+        sides[d].periodic = true;
+        if (!grid_.periodic(d))
+        {
+            FatalIOErrorInFunction(dict)
+                << typeName << " needs a box that is periodic in all "
+                << "directions, but " << vector::componentNames[d] << " is not"
+                << exit(FatalIOError);
+        }
+    }
+    phiName_ = dict.getOrDefault<word>("phi", "phi");
+    const IOdictionary transport(
+        IOobject("transportProperties", mesh_.time().constant(), mesh_,
+                 IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false));
+    nu_ = readPositive(dict.found("nu") ? dict : transport, "nu", dimViscosity);
+
+    List<labelVector> cells(grid_.box().count());
+    forAll(cells, i)
+    {
+        cells[i] = grid_.box().cell(i);
+    }
+    transform_.reset(new planeTransform(grid_, sides, cells));
+    dk_ = constant::mathematical::twoPi / cmptMax(grid_.length());
+    return true;
+}
+
+bool Foam::functionObjects::energySpectrum::execute()
+{
+    staggeredField u(grid_.box());
+    grid_.toStaggered(lookupObject<surfaceScalarField>(phiName_), u);
+
+    planeTransform& t = *transform_;
+    const vector& h = grid_.h();
+    const scalar nAll = scalar(t.nFast) * t.nSlow * t.nThird;
+
+    // By mode of one direction: wave number (true, of the second difference)
+    // squared, and weight of a square in the mean
+    struct line
+    {
+        scalarField k2, modified2, weight;
+        line(const label n, const scalar h)
+            : k2(n),
+              modified2(n),
+              weight(n)
+        {
+            for (label i = 0; i < n; ++i)
+            {
+                const scalar m = min(i, n - i);
+                const scalar angle = constant::mathematical::pi * m / n;
+                k2[i] = sqr(2 * angle / h);
+                modified2[i] = sqr(2 * Foam::sin(angle) / h);
+                weight[i] = (m == 0 || 2 * m == n ? 1.0 : 2.0) / n;
+            }
+        }
+    };
+    const line fast(t.nFast, h[t.fast]), slow(t.nSlow, h[t.slow]),
+        third(t.nThird, h[t.third]);
+
+    const vector largest(1 / h.x(), 1 / h.y(), 1 / h.z());
+    energy_.setSize(
+        label(constant::mathematical::pi * mag(largest) / dk_ + 0.5) + 1);
+    energy_ = 0;
+    scalar gradient2 = 0, total = 0;
+    for (direction d = 0; d < 3; ++d)
+    {
+        t.forward(u[d].cdata());
+        t.transformThird();
+        const double* mode = t.rows();
+        for (label k = 0; k < t.nThird; ++k)
+        {
+            for (label j = t.firstRow; j < t.firstRow + t.nRows; ++j)
+            {
+                const scalar w = 0.5 * third.weight[k] * slow.weight[j] / nAll;
+                for (label i = 0; i < t.nFast; ++i)
+                {
+                    const scalar e = w * fast.weight[i] * sqr(*mode++);
+                    const scalar k2 = third.k2[k] + slow.k2[j] + fast.k2[i];
+                    total += e;
+                    energy_[label(Foam::sqrt(k2) / dk_ + 0.5)] += e;
+                    gradient2 += 2 * e *
+                                 (third.modified2[k] + slow.modified2[j] +
+                                  fast.modified2[i]);
+                }
+            }
+        }
+    }
+    reduce(energy_, sumOp<scalarField>());
+    reduce(gradient2, sumOp<scalar>());
+    reduce(total, sumOp<scalar>());
+
+    const scalar dissipation = nu_ * gradient2;
+    const scalar rms = Foam::sqrt(2 * total / 3);
+    scalar inverseK = 0;
+    for (label s = 1; s < energy_.size(); ++s)
+    {
+        inverseK += energy_[s] / (s * dk_);
+    }
+    const scalar lambda = rms * Foam::sqrt(15 * nu_ / (dissipation + VSMALL));
+    if (Pstream::master())
+    {
+        file() << time_.value() << tab << total << tab << dissipation << tab
+               << rms << tab << lambda << tab << rms * lambda / nu_ << tab
+               << 0.75 * constant::mathematical::pi * inverseK /
+                      (total + VSMALL)
+               << tab << Foam::pow025(pow3(nu_) / (dissipation + VSMALL))
+               << endl;
+    }
+    return true;
+}
+
+bool Foam::functionObjects::energySpectrum::write()
+{
+    if (!Pstream::master() || energy_.empty()) return true;
+
+    const fileName dir(baseFileDir() / name() / time_.timeName());
+    mkDir(dir);
+    OFstream os(dir / "spectrum.dat");
+    os << "# k E" << endl;
+    label last = energy_.size() - 1;
+    while (last > 1 && energy_[last] == 0)
+    {
+        --last;
+    }
+    for (label s = 1; s <= last; ++s)
+    {
+        os << s * dk_ << ' ' << energy_[s] / dk_ << endl;
+    }
+    return true;
+}
