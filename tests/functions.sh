@@ -95,3 +95,24 @@ x, y = (np.array(v)[:, 2:] for v in zip(*common))
 print("%.2e" % (np.abs(x - y) / np.maximum(np.abs(x).max(0), 1)).max())
 END
 }
+
+# flowCase <scene> <folder> [entry value]...: a case of tutorials/flow with
+# other values in constant/scene; mesh and start fields made
+flowCase()
+{
+    local scene=$1 dir=$2
+    shift 2
+    rm -rf "$dir"
+    mkdir -p "$dir"
+    cp -r "$DEFORMABLE_BODIES_DIR/tutorials/flow/$scene"/{0.orig,constant,system} "$dir"
+    cd "$dir" || return 1
+    rm -rf constant/polyMesh
+    while [ $# -gt 0 ]
+    do
+        sed -i "s/^$1 .*/$1 $2;/" constant/scene
+        shift 2
+    done
+    cp -r 0.orig 0
+    blockMesh > log.blockMesh 2>&1
+    [ ! -e system/setExprFieldsDict ] || setExprFields > log.setExprFields 2>&1
+}

@@ -35,6 +35,7 @@ Usage
 #include "bodyCollection.H"
 #include "dictionaryChecks.H"
 #include "flowSources.H"
+#include "fieldsWanted.H"
 #include "runProgress.H"
 
 int main(int argc, char* argv[])
