@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "immersedBoundary.H"
+#include "indexExchange.H"
 #include "PstreamBuffers.H"
 
 Foam::immersedBoundary::immersedBoundary(const uniformGrid& grid,
@@ -183,6 +184,7 @@ void Foam::immersedBoundary::interpolate(const vectorField& X,
         {
             UOPstream os(proci, ask);
             os << vectorField(X, to[proci]);
+            indexExchange::count(to[proci].size() * sizeof(vector));
         }
     }
     labelList bytes;
@@ -199,6 +201,7 @@ void Foam::immersedBoundary::interpolate(const vectorField& X,
             gather(theirX, u, theirU);
             UOPstream os(proci, answer);
             os << theirU;
+            indexExchange::count(theirU.size() * sizeof(vector));
         }
     }
     answer.finishedSends();
@@ -236,6 +239,7 @@ void Foam::immersedBoundary::spread(const vectorField& X, const vectorField& F,
         {
             UOPstream os(proci, buffers);
             os << vectorField(X, to[proci]) << vectorField(F, to[proci]);
+            indexExchange::count(2 * to[proci].size() * sizeof(vector));
         }
     }
     labelList bytes;

@@ -6,6 +6,8 @@
 #include "argList.H"
 #include "Time.H"
 #include "unitTest.H"
+#include "volFields.H"
+#include "surfaceFields.H"
 
 static const Foam::fvMesh* theMesh = nullptr;
 
@@ -18,6 +20,15 @@ const Foam::fvMesh& test::mesh()
 TEST(Main, DISABLED_redIsPossible)
 {
     EXPECT_LT(2, 1);
+}
+
+// Run by tests/bench/flow: the memory of a mesh with its geometry
+TEST(Main, DISABLED_meshAlone)
+{
+    const Foam::fvMesh& mesh = test::mesh();
+    EXPECT_EQ(mesh.C().size(), mesh.V().size());
+    EXPECT_EQ(mesh.Cf().size(), mesh.magSf().size());
+    EXPECT_EQ(mesh.weights().size(), mesh.deltaCoeffs().size());
 }
 
 int main(int argc, char* argv[])

@@ -5,6 +5,26 @@
 
 #include "testBox.H"
 #include <cmath>
+#include <cstdlib>
+#include <new>
+
+// Counts what the program allocates
+static long allocations = 0;
+
+void* operator new(const std::size_t n)
+{
+    ++allocations;
+    if (void* p = std::malloc(n)) return p;
+    throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept
+{
+    std::free(p);
+}
+void operator delete(void* p, std::size_t) noexcept
+{
+    std::free(p);
+}
 
 using namespace Foam;
 
@@ -599,6 +619,30 @@ TEST(StaggeredFlow, dropOfOtherViscosity)
                           number, before);
             test::expectBelow(what, after / before, 0.7);
         }
+    }
+}
+
+TEST(StaggeredFlow, stepAllocatesNothing)
+{
+    for (const char* controls : {"diffusion explicit;", "diffusion ADI;",
+                                 "diffusion FFT;", "timeScheme RK3;"})
+    {
+        test::box b(labelVector(8, 8, 8), vector(1, 1, 1), wallsInY, 1e-3);
+        auto flow = b.flow(controls);
+        flow->hold(0, 1);
+        staggeredField force(uniformGrid::New(b.mesh()).box());
+        flow->step(0.01, 0.01, force);
+        const long before = allocations;
+        for (label i = 0; i < 3; ++i)
+        {
+            force.clear();
+            flow->step(0.01, 0.01, force);
+        }
+        test::expectBelow(std::string("allocations in three steps, ") +
+                              controls,
+                          allocations - before, 0);
+        flow->fill();
+        EXPECT_GT(allocations, before) << "allocations are not counted";
     }
 }
 

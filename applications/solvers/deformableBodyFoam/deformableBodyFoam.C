@@ -37,6 +37,7 @@ Usage
 #include "flowSources.H"
 #include "fieldsWanted.H"
 #include "runProgress.H"
+#include "printTraffic.H"
 
 int main(int argc, char* argv[])
 {
@@ -87,7 +88,9 @@ int main(int argc, char* argv[])
         runTime.printExecutionTime(Info);
     }
 
-    Info << "End\n" << endl;
+    printTraffic(runTime);
+
+    Info<< "End\n" << endl;
 
     return 0;
 }

@@ -153,7 +153,7 @@ void Foam::fv::EswaranPopeForcing::project()
     }
 }
 
-void Foam::fv::EswaranPopeForcing::update()
+void Foam::fv::EswaranPopeForcing::advance()
 {
     const Time& time = mesh_.time();
     if (lastIndex_ == time.timeIndex()) return;

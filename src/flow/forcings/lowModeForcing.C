@@ -129,7 +129,7 @@ void Foam::fv::lowModeForcing::add(const direction d, const vector& offset,
 
 void Foam::fv::lowModeForcing::addTo(staggeredField& f)
 {
-    update();
+    advance();
     for (direction d = 0; d < 3; ++d)
     {
         vector offset(0.5, 0.5, 0.5);
@@ -140,7 +140,7 @@ void Foam::fv::lowModeForcing::addTo(staggeredField& f)
 
 void Foam::fv::lowModeForcing::addSup(fvMatrix<vector>& eqn, const label)
 {
-    update();
+    advance();
     staggeredField f(grid_.box());
     vectorField& source = eqn.source();
     for (direction d = 0; d < 3; ++d)

@@ -132,8 +132,7 @@ void Foam::indexExchange::transfer(const bool forward, const scalar* src,
             UOPstream::write(Pstream::commsTypes::nonBlocking, r.rank,
                              reinterpret_cast<const char*>(r.out.cdata()),
                              n * sizeof(scalar));
-            ++messages;
-            bytes += n * sizeof(scalar);
+            count(n * sizeof(scalar));
         }
     }
 

@@ -1,0 +1,164 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+// Forcings of homogeneous turbulence: divergence-free, steady in the mean, of
+// the strength asked for, repeatable
+
+#include "EswaranPopeForcing.H"
+#include "testBox.H"
+
+using namespace Foam;
+
+namespace
+{
+dictionary entries(const char* text)
+{
+    IStringStream is(text);
+    return dictionary(is);
+}
+
+const char* const stirring = "type EswaranPopeForcing; acceleration 2; "
+                             "timeScale 0.5; maxWaveNumber 2; seed 3;";
+
+autoPtr<fv::option> make(const test::box& b, const char* text)
+{
+    return fv::option::New("stirring", entries(text), b.mesh());
+}
+
+staggeredField forceOf(fv::option& o, const test::box& b)
+{
+    staggeredField f(uniformGrid::New(b.mesh()).box());
+    refCast<fv::lowModeForcing>(o).addTo(f);
+    return f;
+}
+
+std::string refusal(const test::box& b, const char* text)
+{
+    try
+    {
+        make(b, text);
+    }
+    catch (const Foam::IOerror& e)
+    {
+        return e.message();
+    }
+    return "";
+}
+} // namespace
+
+TEST(Forcing, stochasticForceIsSteadyAndSolenoidal)
+{
+    const scalar twoPi = constant::mathematical::twoPi;
+    test::box b(labelVector(16, 16, 16), vector(twoPi, twoPi, twoPi),
+                FixedList<bool, 3>(false), 1);
+    auto o = make(b, stirring);
+    const auto& forcing = refCast<fv::lowModeForcing>(*o);
+    EXPECT_EQ(forcing.modes().size(), 16u); // 32 with 0 < |m| <= 2, in pairs
+
+    Time& time = const_cast<Time&>(b.mesh().time());
+    const scalar t0 = time.value();
+    const label index0 = time.timeIndex();
+    scalar along = 0, sum = 0, late = 0, correlation = 0;
+    const label n = 40000, lag = 10;
+    std::vector<double> history;
+    for (label i = 0; i < n; ++i)
+    {
+        time.setTime(t0, index0 + 1 + i); // deltaT is 1
+        time.setDeltaT(0.05, false);
+        refCast<fv::lowModeForcing>(*o).advance();
+        scalar f2 = 0;
+        for (const auto& m : forcing.modes())
+        {
+            std::complex<double> kc = 0;
+            const vector k(forcing.waveVector(m.m));
+            for (direction d = 0; d < 3; ++d)
+            {
+                kc += k[d] * m.c[d];
+                f2 += 0.5 * std::norm(m.c[d]);
+            }
+            along = max(along, std::abs(kc));
+        }
+        sum += f2 / n;
+        if (2 * i >= n) late += 2 * f2 / n;
+        history.push_back(forcing.modes()[0].c[1].real());
+    }
+    scalar variance = 0;
+    for (label i = 0; i + lag < n; ++i)
+    {
+        correlation += history[i] * history[i + lag];
+        variance += sqr(history[i]);
+    }
+    test::expectBelow("stochastic force: k.c", along, 1e-14);
+    // 40000 steps of 0.05 are 2000 independent samples of 64 numbers
+    test::expectBelow("    mean square against acceleration^2, relative",
+                      mag(sum / 4 - 1), 0.02);
+    test::expectBelow("    second half against the whole", mag(late / sum - 1),
+                      0.02);
+    test::expectBelow("    correlation after one time scale against 1/e",
+                      mag(correlation / variance - std::exp(-1.0)), 0.06);
+    time.setTime(t0, index0);
+    time.setDeltaT(1, false);
+}
+
+TEST(Forcing, evaluatedAtTheStaggeredPoints)
+{
+    // The partial sums against the series, point by point
+    test::box b(labelVector(8, 6, 10), vector(1, 2, 3),
+                FixedList<bool, 3>(false), 1);
+    auto o = make(b, stirring);
+    const auto& forcing = refCast<fv::lowModeForcing>(*o);
+    const staggeredField f(forceOf(*o, b));
+    const uniformGrid& grid = uniformGrid::New(b.mesh());
+    scalar worst = 0;
+    for (label i = 0; i < f.box().count(); ++i)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            vector x(f.box().cell(i));
+            for (direction e = 0; e < 3; ++e)
+            {
+                x[e] = (x[e] + (e == d ? 0 : 0.5)) * grid.h()[e];
+            }
+            scalar sum = 0;
+            for (const auto& m : forcing.modes())
+            {
+                sum += std::real(m.c[d] *
+                                 std::polar(1.0, forcing.waveVector(m.m) & x));
+            }
+            worst = max(worst, mag(sum - f[d][i]));
+        }
+    }
+    test::expectBelow("force at the staggered points against the series", worst,
+                      1e-13);
+}
+
+TEST(Forcing, repeatsBySeed)
+{
+    test::box b(labelVector(8, 8, 8), vector(1, 1, 1),
+                FixedList<bool, 3>(false), 1);
+    const auto f = [&](const char* text) { return forceOf(*make(b, text), b); };
+    EXPECT_EQ(max(mag(f(stirring)[0] - f(stirring)[0])), 0);
+    EXPECT_GT(max(mag(f(stirring)[0] -
+                      f("type EswaranPopeForcing; acceleration 2; timeScale "
+                        "0.5; maxWaveNumber 2; seed 4;")[0])),
+              0.1);
+}
+
+TEST(Forcing, refusesWrongInput)
+{
+    const FixedList<bool, 3> open(false);
+    test::box cube(labelVector(4, 4, 4), vector(1, 1, 1), open, 1);
+    test::box walls(labelVector(4, 4, 4), vector(1, 1, 1),
+                    FixedList<bool, 3>(true), 1);
+    const auto expectIn = [](const std::string& all, const char* part) {
+        EXPECT_NE(all.find(part), std::string::npos)
+            << all << " lacks " << part;
+    };
+    expectIn(refusal(cube, stirring), "less than half the number of cells");
+    expectIn(refusal(walls, stirring), "periodic in all directions");
+    expectIn(refusal(cube, "type EswaranPopeForcing; acceleration -1; "
+                           "timeScale 1; maxWaveNumber 1;"),
+             "numbers greater than 0");
+    expectIn(refusal(cube, "type EswaranPopeForcing; acceleration 1; "
+                           "timeScale 1; maxWaveNumber 0.5;"),
+             "1 and greater");
+}
