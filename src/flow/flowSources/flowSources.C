@@ -26,6 +26,13 @@ fvVectorMatrix matrixOf(fv::option& o, const volVectorField& U)
     return eqn;
 }
 
+//- Is there anything on the diagonal? A zero is no implicit part
+bool isImplicit(const fvVectorMatrix& eqn)
+{
+    const bool here = eqn.hasDiag() && max(mag(eqn.diag())) > 0;
+    return returnReduce(here, orOp<bool>());
+}
+
 //- Axis of a vector; 3 if it has none
 direction axisOf(const vector& v)
 {
@@ -64,7 +71,7 @@ Foam::string Foam::flowSources::unsupported(const fv::option& o,
         return "it does not know fvOption " + o.name() + " of type " + o.type();
     }
     if (o.type() == "vectorSemiImplicitSource" &&
-        matrixOf(const_cast<fv::option&>(o), U).hasDiag())
+        isImplicit(matrixOf(const_cast<fv::option&>(o), U)))
     {
         return "fvOption " + o.name() + " has an implicit part";
     }
@@ -126,7 +133,7 @@ void Foam::flowSources::addCellSource(fv::option& o, staggeredField& force)
 {
     const uniformGrid& grid = uniformGrid::New(U_.mesh());
     const fvVectorMatrix eqn(matrixOf(o, U_));
-    if (eqn.hasDiag())
+    if (isImplicit(eqn))
     {
         FatalIOErrorInFunction(o.coeffs())
             << "fvOption " << o.name() << " has an implicit part, which the "
