@@ -54,15 +54,14 @@ outcome run(test::box& b, const char* controls, const scalar end,
             const label steps, const scalar wobble, Force setForce)
 {
     auto flow = b.flow(controls);
-    staggeredField force(uniformGrid::New(b.mesh()).box());
     const scalar dt = end / steps;
     scalar last = dt, divergence = 0;
     for (label n = 0; n < steps; ++n)
     {
-        force.clear();
-        setForce(force);
+        flow->force().clear();
+        setForce(flow->force());
         const scalar now = dt * (1 + (n % 2 ? -wobble : wobble));
-        flow->step(now, last, force);
+        flow->step(now, last);
         last = now;
         divergence = max(divergence, flow->divergence());
     }
@@ -386,13 +385,12 @@ TEST(StaggeredFlow, flowRateIsHeld)
                 { return vector(1 + 0.1 * std::sin(2 * pi * x.z()), 0, 0); });
         auto flow = b.flow(controls);
         flow->hold(0, 1);
-        staggeredField force(uniformGrid::New(b.mesh()).box());
         const scalar dt = 0.05 * h * h / nu;
         scalar worst = 0;
         for (label i = 0; i < 8000; ++i)
         {
-            force.clear();
-            flow->step(dt, dt, force);
+            flow->force().clear();
+            flow->step(dt, dt);
             worst = max(worst, mag(average(velocityOf(*flow, b)[0]) - 1));
         }
         test::expectBelow(std::string("mean velocity held, ") + controls, worst,
@@ -414,9 +412,8 @@ TEST(StaggeredFlow, kineticEnergyWithoutViscosity)
             test::box b(labelVector(16, 16, 16), vector(2 * pi, 2 * pi, 2 * pi),
                         periodic, 0);
             b.start(vortices);
-            staggeredField force(uniformGrid::New(b.mesh()).box());
             auto flow = b.flow(controls);
-            flow->step(1e-12, 1e-12, force); // makes the start divergence-free
+            flow->step(1e-12, 1e-12); // makes the start divergence-free
             const auto energy = [&]()
             {
                 const staggeredField u(velocityOf(*flow, b));
@@ -425,8 +422,8 @@ TEST(StaggeredFlow, kineticEnergyWithoutViscosity)
             const scalar before = energy(), dt = 2.0 / steps;
             for (label n = 0; n < steps; ++n)
             {
-                force.clear();
-                flow->step(dt, n ? dt : 1e-12, force);
+                flow->force().clear();
+                flow->step(dt, n ? dt : 1e-12);
             }
             return mag(energy() / before - 1);
         };
@@ -469,15 +466,14 @@ TEST(StaggeredFlow, oscillatingWall)
     {
         test::box b(labelVector(4, 32, 4), vector(1, 1, 1), wallsInY, 0.5);
         auto flow = b.flow("diffusion ADI;");
-        staggeredField force(uniformGrid::New(b.mesh()).box());
         const scalar dt = 2.0 / steps;
         for (label n = 1; n <= steps; ++n)
         {
             const scalar t = n * dt;
             b.moveWalls(Zero, vector(sqr(std::sin(t)), 0, 0));
             flow->wallsMove();
-            force.clear();
-            flow->step(dt, dt, force);
+            flow->force().clear();
+            flow->step(dt, dt);
         }
         u.push_back(velocityOf(*flow, b));
     }
@@ -630,13 +626,12 @@ TEST(StaggeredFlow, stepAllocatesNothing)
         test::box b(labelVector(8, 8, 8), vector(1, 1, 1), wallsInY, 1e-3);
         auto flow = b.flow(controls);
         flow->hold(0, 1);
-        staggeredField force(uniformGrid::New(b.mesh()).box());
-        flow->step(0.01, 0.01, force);
+        flow->step(0.01, 0.01);
         const long before = allocations;
         for (label i = 0; i < 3; ++i)
         {
-            force.clear();
-            flow->step(0.01, 0.01, force);
+            flow->force().clear();
+            flow->step(0.01, 0.01);
         }
         test::expectBelow(std::string("allocations in three steps, ") +
                               controls,
@@ -652,10 +647,9 @@ TEST(StaggeredFlow, refusesWrongInput)
                             const FixedList<bool, 3>& walls)
     {
         test::box b(labelVector(4, 4, 4), vector(1, 1, 1), walls, nu);
-        staggeredField force(uniformGrid::New(b.mesh()).box());
         try
         {
-            b.flow(controls)->step(1, 1, force);
+            b.flow(controls)->step(1, 1);
         }
         catch (const Foam::IOerror& e)
         {

@@ -17,11 +17,8 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh)
       startTime_(mesh.time().value()),
       startIndex_(mesh.time().timeIndex()),
       grid_(uniformGrid::New(mesh)),
-      effects_(mesh.time()),
-      forceFlux_(IOobject("bodyForceFlux", mesh.time().timeName(), mesh), mesh,
-                 dimensionedScalar(dimAcceleration * dimArea, Zero))
+      effects_(mesh.time())
 {
-    forceFlux_.setOriented();
 
     IOobject io("deformableBodies", mesh.time().constant(), mesh,
                 IOobject::MUST_READ, IOobject::NO_WRITE, false);
@@ -152,12 +149,20 @@ void Foam::bodyCollection::start()
 
 void Foam::bodyCollection::advance(const surfaceScalarField& phi)
 {
-    if (lastAdvanced_ == mesh_.time().timeIndex()) return;
+    const Time& time = mesh_.time();
+    if (lastAdvanced_ == time.timeIndex()) return;
 
     staggeredField faces(grid_.box());
     if (!empty()) grid_.toStaggered(phi, faces);
     advance(faces);
-    if (!empty()) grid_.toFlux(faces, forceFlux_);
+    if (!forceFlux_.valid())
+    {
+        forceFlux_.reset(new surfaceScalarField(
+            IOobject("bodyForceFlux", time.timeName(), mesh_), mesh_,
+            dimensionedScalar(dimAcceleration * dimArea, Zero)));
+        forceFlux_->setOriented();
+    }
+    if (!empty()) grid_.toFlux(faces, *forceFlux_);
 }
 
 void Foam::bodyCollection::advance(staggeredField& faces)
@@ -243,5 +248,5 @@ void Foam::bodyCollection::stop(const string& trouble)
 
 Foam::tmp<Foam::volVectorField> Foam::bodyCollection::cellForce() const
 {
-    return fvc::reconstruct(forceFlux_);
+    return fvc::reconstruct(*forceFlux_);
 }

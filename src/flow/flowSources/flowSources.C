@@ -129,7 +129,7 @@ Foam::flowSources::flowSources(fv::optionList& options, volVectorField& U,
                      any ? "constant/fvOptions" : "none in constant/fvOptions");
 }
 
-void Foam::flowSources::addCellSource(fv::option& o, staggeredField& force)
+void Foam::flowSources::addCellSource(fv::option& o)
 {
     const uniformGrid& grid = uniformGrid::New(U_.mesh());
     const fvVectorMatrix eqn(matrixOf(o, U_));
@@ -140,12 +140,11 @@ void Foam::flowSources::addCellSource(fv::option& o, staggeredField& force)
             << "staggered algorithm does not know; use flowAlgorithm pimple"
             << exit(FatalIOError);
     }
-    flow_.addCells(eqn.source(), -1 / grid.cellVolume(), force);
+    flow_.addCells(eqn.source(), -1 / grid.cellVolume());
 }
 
-void Foam::flowSources::add(staggeredField& force)
+void Foam::flowSources::add()
 {
-    if (explicit_.size()) flow_.fill();
     if (forcings_.empty() && explicit_.empty()) return;
 
     const auto timing(effects_.time("sources"));
@@ -153,12 +152,12 @@ void Foam::flowSources::add(staggeredField& force)
     {
         if (options_[i].isActive())
         {
-            refCast<fv::lowModeForcing>(options_[i]).addTo(force);
+            refCast<fv::lowModeForcing>(options_[i]).addTo(flow_.force());
         }
     }
     for (const label i : explicit_)
     {
-        addCellSource(options_[i], force);
+        addCellSource(options_[i]);
     }
 }
 

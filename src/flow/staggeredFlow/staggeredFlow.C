@@ -136,14 +136,13 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
       convection_(controls.getOrDefault<bool>("convection", true)),
       U_(U),
       p_(p),
-      phi_(phi)
+      phi_(phi),
+      force_(box_)
 {
     label nWalled = 0;
     FixedList<sideConditions, 3> sides;
     for (direction d = 0; d < 3; ++d)
     {
-        u_[d].assign(block_.size(), 0);
-        last_[d].assign(box_.count(), 0);
         sides[d].periodic = grid_.periodic(d);
         if (!grid_.periodic(d)) ++nWalled;
     }
@@ -152,11 +151,10 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
         refuse(controls, "diffusion", diffusion_,
                "auto, ADI or explicit where two directions have walls");
     }
-    pressure_.assign(block_.size(), 0);
-    correction_.assign(block_.size(), 0);
-    if (RK3_) increment_.reset(new staggeredField(box_));
 
-    List<labelVector> cells(box_.count());
+    // First, as making it takes memory for a moment
+    {
+        List<labelVector> cells(box_.count());
     labelList places(box_.count());
     forAll(cells, i)
     {
@@ -164,6 +162,15 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
         places[i] = block_.place(cells[i] - box_.lo);
     }
     poisson_.reset(new fastHelmholtz(grid_, sides, cells, places));
+    }
+    for (direction d = 0; d < 3; ++d)
+    {
+        u_[d].assign(block_.size(), 0);
+        last_[d].assign(box_.count(), 0);
+    }
+    pressure_.assign(block_.size(), 0);
+    correction_.assign(block_.size(), 0);
+    if (RK3_) increment_.reset(new staggeredField(box_));
 
     for (const fvPatchVectorField& Ub : U.boundaryField())
     {
@@ -224,7 +231,7 @@ void Foam::staggeredFlow::readState()
     }
     if (!RK3_) history_.reset(new history(*this));
 
-    staggeredField u(box_);
+    staggeredField& u = force_;
     grid_.toStaggered(phi_, u);
     forAll(grid_.index(), celli)
     {
@@ -323,7 +330,7 @@ void Foam::staggeredFlow::velocity(staggeredField& u) const
 }
 
 void Foam::staggeredFlow::addCells(const vectorField& cells,
-                                   const scalar factor, staggeredField& force)
+                                   const scalar factor)
 {
     // The pressure correction is free between steps
     for (direction d = 0; d < 3; ++d)
@@ -341,7 +348,7 @@ void Foam::staggeredFlow::addCells(const vectorField& cells,
                 const double* c = correction_.data() + q;
                 for (label i = 0; i < box_.size.x(); ++i)
                 {
-                    force[d][n + i] += c[i] + c[i - block_.stride(d)];
+                    force_[d][n + i] += c[i] + c[i - block_.stride(d)];
                 }
             });
     }
@@ -389,8 +396,7 @@ void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
     }
 }
 
-void Foam::staggeredFlow::step(const scalar dt, const scalar lastDt,
-                               staggeredField& force)
+void Foam::staggeredFlow::step(const scalar dt, const scalar lastDt)
 {
     chooseDiffusion(dt);
 
@@ -422,7 +428,7 @@ void Foam::staggeredFlow::step(const scalar dt, const scalar lastDt,
     {
         const scalar c0 = hasLast_ ? -0.5 * dt / lastDt : 0;
         hasLast_ = true;
-        predict(dt, {1 - c0, c0, 1}, force);
+        predict(dt, {1 - c0, c0, 1}, force_);
         project(dt);
         gradient_ /= dt;
         return;
@@ -438,7 +444,7 @@ void Foam::staggeredFlow::step(const scalar dt, const scalar lastDt,
         wallsAt(passed);
         for (direction d = 0; d < 3; ++d)
         {
-            (*increment_)[d] = force[d];
+            (*increment_)[d] = force_[d];
         }
         predict(dt, s, *increment_);
         project(s.rest * dt);
@@ -492,9 +498,8 @@ void Foam::staggeredFlow::fill()
     const auto timing(effects_.time("fields"));
     updateVelocity();
 
-    staggeredField u(box_);
-    velocity(u);
-    grid_.toFlux(u, phi_);
+    velocity(force_);
+    grid_.toFlux(force_, phi_);
 
     // Cells of a block mostly follow each other: rows without division
     label last = -2, q = 0, toEnd = 0;

@@ -32,16 +32,33 @@ Foam::string Foam::uniformGrid::recogniseCells()
     const label nCells = mesh.nCells();
     const vectorField& centres = mesh.cellCentres();
 
-    // Cell size from the bounding boxes of the cells themselves
+    // Cell size from the bounding boxes of the cells themselves. By faces:
+    // the mesh's lists of cell faces and points, once made, stay, and take more
+    // memory than the flow
+    vectorField lower(nCells, vector::max), upper(nCells, vector::min);
+    List<direction> nFaces(nCells, direction(0));
+    forAll(mesh.faces(), facei)
+    {
+        const boundBox b(mesh.points(), mesh.faces()[facei], false);
+        const auto add = [&](const label celli)
+        {
+            lower[celli] = min(lower[celli], b.min());
+            upper[celli] = max(upper[celli], b.max());
+            ++nFaces[celli];
+        };
+        add(mesh.faceOwner()[facei]);
+        if (facei < mesh.nInternalFaces()) add(mesh.faceNeighbour()[facei]);
+    }
     vector hMin(vector::max), hMax(vector::min);
     bool hexes = true;
     for (label celli = 0; celli < nCells; ++celli)
     {
-        hexes = hexes && mesh.cells()[celli].size() == 6;
-        const boundBox b(mesh.points(), mesh.cellPoints()[celli], false);
-        hMin = min(hMin, b.span());
-        hMax = max(hMax, b.span());
+        hexes = hexes && nFaces[celli] == 6;
+        hMin = min(hMin, upper[celli] - lower[celli]);
+        hMax = max(hMax, upper[celli] - lower[celli]);
     }
+    lower.clear();
+    upper.clear();
     reduce(hexes, andOp<bool>());
     reduce(hMin, minOp<vector>());
     reduce(hMax, maxOp<vector>());
