@@ -116,3 +116,20 @@ flowCase()
     blockMesh > log.blockMesh 2>&1
     [ ! -e system/setExprFieldsDict ] || setExprFields > log.setExprFields 2>&1
 }
+
+# The shear case in here, periodic all round and at rest
+makePeriodic()
+{
+    sed -i 's/bottom { type wall;/bottom { type cyclic; neighbourPatch top;/
+        s/top    { type wall;/top { type cyclic; neighbourPatch bottom;/' \
+        system/blockMeshDict
+    blockMesh > log.blockMesh 2>&1 || return 1
+    cat > 0/U <<'U'
+FoamFile { version 2.0; format ascii; class volVectorField; object U; }
+dimensions [0 1 -1 0 0 0 0];
+internalField uniform (0 0 0);
+boundaryField { ".*" { type cyclic; } }
+U
+    sed 's/volVectorField/volScalarField/; s/object U/object p/
+        s/1 -1 0/2 -2 0/; s/(0 0 0)/0/' 0/U > 0/p
+}

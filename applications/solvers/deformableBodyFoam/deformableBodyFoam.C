@@ -44,42 +44,43 @@ int main(int argc, char* argv[])
     argList::addNote("Transient solver for incompressible flow with deformable"
                      " bodies (capsules) by the immersed boundary method.");
 
-#include "postProcess.H"
+    #include "postProcess.H"
 
-#include "addCheckCaseOptions.H"
-#include "setRootCaseLists.H"
-#include "createTime.H"
-#include "createMesh.H"
-#include "createControl.H"
-#include "createTimeControls.H"
-#include "initContinuityErrs.H"
-#include "createFields.H"
-#include "createBodies.H"
-#include "createFlow.H"
-#include "CourantNo.H"
-#include "setInitialDeltaT.H"
+    #include "addCheckCaseOptions.H"
+    #include "setRootCaseLists.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+    #include "createControl.H"
+    #include "createTimeControls.H"
+    #include "initContinuityErrs.H"
+    #include "createFields.H"
+    #include "createBodies.H"
+    #include "createFlow.H"
+    scalar CoNum = 0;
+    #include "flowCourantNo.H"
+    #include "setInitialDeltaT.H"
 
     turbulence->validate();
 
-    Info << "\nStarting time loop\n" << endl;
+    Info<< "\nStarting time loop\n" << endl;
 
     while (runTime.run())
     {
-#include "readTimeControls.H"
-#include "flowCourantNo.H"
-#include "setBodyDeltaT.H"
+        #include "readTimeControls.H"
+        #include "flowCourantNo.H"
+        #include "setBodyDeltaT.H"
 
         ++runTime;
 
-        Info << "Time = " << runTime.timeName() << nl << endl;
+        Info<< "Time = " << runTime.timeName() << nl << endl;
 
         if (staggered)
         {
-#include "staggeredStep.H"
+            #include "staggeredStep.H"
         }
         else
         {
-#include "pimpleStep.H"
+            #include "pimpleStep.H"
         }
 
         runTime.write();

@@ -3,6 +3,7 @@
 #include "bodyCollection.H"
 #include "dictionaryChecks.H"
 #include "fvc.H"
+#include "uniformDimensionedFields.H"
 
 namespace Foam
 {
@@ -93,9 +94,9 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     boundary_.reset(new immersedBoundary(grid_, deltaKernel(dict)));
 
     const bool twoWay = bodyGroup::readTwoWay(dict, "twoWay");
-    const bodyScene scene{
-        grid_,   rho_, rho_ * nu, accuracy, twoWay ? "twoWay" : "oneWay",
-        effects_};
+    const bodyScene scene{grid_,         rho_,     rho_ * nu,
+                          readGravity(), accuracy, twoWay ? "twoWay" : "oneWay",
+                          effects_};
     bool feedback = false;
     const dictionary& bodies = dict.subDict("bodies");
     for (const word& name : bodies.toc())
@@ -119,6 +120,15 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     X_.setSize(n);
     U_.setSize(n);
     F_.setSize(n);
+}
+
+Foam::vector Foam::bodyCollection::readGravity() const
+{
+    const uniformDimensionedVectorField g(
+        IOobject("g", mesh_.time().constant(), mesh_, IOobject::READ_IF_PRESENT,
+                 IOobject::NO_WRITE, false),
+        dimensionedVector(dimAcceleration, Zero));
+    return g.value();
 }
 
 Foam::scalar Foam::bodyCollection::maxDeltaT() const
@@ -213,11 +223,28 @@ void Foam::bodyCollection::advance(staggeredField& faces)
         {
             F_[k] *= perMass;
         }
-        boundary_->spread(vectorField(SubField<vector>(X_, used)),
-                          vectorField(SubField<vector>(F_, used)), faces);
+        const vectorField F(SubField<vector>(F_, used));
+        boundary_->spread(vectorField(SubField<vector>(X_, used)), F, faces);
+        if (periodicBox()) removeMean(F, faces);
     }
 
     if (time.timeIndex() % sampleInterval_ == 0) sample(time.value());
+}
+
+bool Foam::bodyCollection::periodicBox() const
+{
+    return grid_.periodic(0) && grid_.periodic(1) && grid_.periodic(2);
+}
+
+void Foam::bodyCollection::removeMean(const vectorField& F,
+                                      staggeredField& faces) const
+{
+    const vector L(grid_.length());
+    const vector mean(gSum(F) / (L.x() * L.y() * L.z()));
+    for (direction d = 0; d < 3; ++d)
+    {
+        faces[d] -= mean[d];
+    }
 }
 
 void Foam::bodyCollection::stop(const string& trouble)

@@ -17,7 +17,8 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
 {
     checkEntries(dict, {"type", "shape", "positions", "membrane", "harmonics",
                         "dealiasing", "markerSpacing", "shearPlane", "coupling",
-                        "bending", "viscosityRatio", "prestress"});
+                        "bending", "viscosityRatio", "prestress", "gravity",
+                        "densityRatio"});
     requireNeutral(dict, "viscosityRatio", 1);
     requireNeutral(dict, "prestress", 0);
     if (dict.found("bending"))
@@ -41,7 +42,8 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
     {
         refuse(dict, "dealiasing", Foam::name(dealiasing), "1 to 4");
     }
-    const scalar spacing = byAccuracy<scalar>(dict, "markerSpacing", 0.9, 0.7, 0.5);
+    const scalar spacing =
+        byAccuracy<scalar>(dict, "markerSpacing", 0.9, 0.7, 0.5);
     if (spacing < 0.1 || spacing > 1)
     {
         refuse(dict, "markerSpacing", Foam::name(spacing), "0.1 to 1");
@@ -58,6 +60,19 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
         const label d = wordList({"x", "y", "z"}).find(plane[k]);
         if (d < 0) refuse(dict, "shearPlane", plane[k], "two of x y z");
         shearPlane_[k] = d;
+    }
+
+    if (dict.getOrDefault<bool>("gravity", false))
+    {
+        if (scene.g == vector::zero)
+        {
+            refuse(dict, "gravity", "on",
+                   "off, or a file constant/g with a value");
+        }
+        const scalar ratio = dict.found("densityRatio")
+                                 ? readPositive(dict, "densityRatio", dimless)
+                                 : 1;
+        weight_ = (ratio - 1) * scene.rho * scene.g;
     }
 
     // Markers: the sphere's circumference in h, stretched by a quarter
@@ -108,6 +123,9 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
                                Foam::name(markerGrid_->nPoints()) +
                                " markers each");
     scene_.effects.declare("bending", false, "no bending modulus given");
+    scene_.effects.declare("gravity", weight_ != vector::zero,
+                           weight_ != vector::zero ? "weight of the filling"
+                                                   : "none on the bodies");
     scene_.effects.declare("viscosityRatio", false, "same fluid inside");
 }
 
@@ -263,6 +281,23 @@ Foam::string Foam::capsules::move(const vector* U, const scalar dt)
     return trouble;
 }
 
+void Foam::capsules::addWeight(const capsule& c, const vector* X,
+                               vector* F) const
+{
+    const auto timing(scene_.effects.time("gravity"));
+    const label n = markerGrid_->nPoints();
+    numbers t(3 * n), p(3 * n);
+    markerGrid_->gradient(c.xMid.data(), t.data(), p.data());
+    const vector centre(average(UList<vector>(const_cast<vector*>(X), n)));
+    for (label k = 0; k < n; ++k)
+    {
+        const vector xt(t[k], t[n + k], t[2 * n + k]);
+        const vector xp(p[k], p[n + k], p[2 * n + k]);
+        F[k] +=
+            markerGrid_->weight(k) * (weight_ & (X[k] - centre)) * (xt ^ xp);
+    }
+}
+
 void Foam::capsules::loads(vector* X, vector* F)
 {
     const auto timing(scene_.effects.time("membrane"));
@@ -276,6 +311,7 @@ void Foam::capsules::loads(vector* X, vector* F)
         {
             F[k] *= markerGrid_->weight(k);
         }
+        if (weight_ != vector::zero) addWeight(c, X, F);
         X += n;
         F += n;
     }
