@@ -22,13 +22,32 @@ TEST(Main, DISABLED_redIsPossible)
     EXPECT_LT(2, 1);
 }
 
-// Run by tests/bench/flow: the memory of a mesh with its geometry
-TEST(Main, DISABLED_meshAlone)
+// Run by tests/bench/flow: the memory of a mesh with its geometry, and with the
+// fields that every solver of OpenFOAM has
+static void touchGeometry(const Foam::fvMesh& mesh)
 {
-    const Foam::fvMesh& mesh = test::mesh();
     EXPECT_EQ(mesh.C().size(), mesh.V().size());
     EXPECT_EQ(mesh.Cf().size(), mesh.magSf().size());
     EXPECT_EQ(mesh.weights().size(), mesh.deltaCoeffs().size());
+}
+
+TEST(Main, DISABLED_meshAlone)
+{
+    touchGeometry(test::mesh());
+}
+
+TEST(Main, DISABLED_meshWithFields)
+{
+    using namespace Foam;
+    const fvMesh& mesh = test::mesh();
+    touchGeometry(mesh);
+    const auto io = [&](const char* name)
+    { return IOobject(name, mesh.time().timeName(), mesh); };
+    const dimensionedScalar zero(dimless, Zero);
+    const volVectorField U(io("U"), mesh, dimensionedVector(dimless, Zero));
+    const volScalarField p(io("p"), mesh, zero), nu(io("nu"), mesh, zero);
+    const surfaceScalarField phi(io("phi"), mesh, zero);
+    EXPECT_EQ(U.size(), p.size());
 }
 
 int main(int argc, char* argv[])

@@ -2,113 +2,182 @@
 
 #include "lineSolver.H"
 
+// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include <Eigen/Dense>
+
+// Points [begin, end) of a line of n
+Foam::lineSolver::piece::piece(const label begin, const label end,
+                               const label n, const bool periodic,
+                               const bool faces, const double beta)
+    : r(end - begin),
+      c(end - begin),
+      before(end - begin, 0),
+      after(end - begin, 0)
+{
+    const label m = end - begin;
+    for (label j = 0; j < m; ++j)
+    {
+        double diag = 1 + 2 * beta;
+        if (!periodic && !faces)
+        {
+            if (begin + j == 0) diag += beta;
+            if (begin + j == n - 1) diag += beta;
+        }
+        r[j] = 1 / (diag - (j ? beta * c[j - 1] : 0));
+        c[j] = beta * r[j];
+
+        // A value on a wall is zero
+        if (!periodic && faces && begin + j == 0) r[j] = c[j] = 0;
+    }
+
+    // Nothing is beyond a wall
+    if (periodic || begin > 0) before[0] = beta;
+    if (periodic || end < n) after[m - 1] = beta;
+    for (std::vector<double>* x : {&before, &after})
+    {
+        for (label j = 0; j < m; ++j)
+        {
+            (*x)[j] = ((*x)[j] + (j ? beta * (*x)[j - 1] : 0)) * r[j];
+        }
+        for (label j = m - 2; j >= 0; --j)
+        {
+            (*x)[j] += c[j] * (*x)[j + 1];
+        }
+    }
+}
+
+namespace
+{
+using namespace Foam;
+
+//- The ranks that share this rank's lines, in order along them: first cell and
+//  rank
+std::vector<std::pair<label, label>> sharing(const uniformGrid& grid,
+                                             const direction dir)
+{
+    const direction a = dir == 0 ? 1 : 0, b = 3 - dir - a;
+    const cellBox& mine = grid.box();
+    const List<cellBox> boxes(grid.allBoxes());
+    std::vector<std::pair<label, label>> all;
+    forAll(boxes, proci)
+    {
+        const cellBox& x = boxes[proci];
+        if (x.lo[a] == mine.lo[a] && x.size[a] == mine.size[a] &&
+            x.lo[b] == mine.lo[b] && x.size[b] == mine.size[b])
+        {
+            all.push_back({x.lo[dir], proci});
+        }
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+} // namespace
+
+bool Foam::lineSolver::aligned(const uniformGrid& grid)
+{
+    const List<cellBox> boxes(grid.allBoxes());
+    bool all = true;
+    for (direction d = 0; d < 3; ++d)
+    {
+        label held = 0;
+        for (const auto& piece : sharing(grid, d))
+        {
+            held += boxes[piece.second].size[d];
+        }
+        all = all && held == grid.n()[d];
+    }
+    return returnReduce(all, andOp<bool>());
+}
+
 Foam::lineSolver::lineSolver(const uniformGrid& grid, const direction dir,
                              const bool faces)
     : dir_(dir),
-      n_(grid.n()[dir]),
       periodic_(grid.periodic(dir)),
       faces_(faces),
       box_(grid.box())
 {
-    const bool cut = box_.size[dir] != n_;
-    if (!returnReduce(cut, orOp<bool>())) return;
+    const label nLines = box_.count() / box_.size[dir];
+    const auto pieces = sharing(grid, dir);
+    const label nPieces = pieces.size();
+    for (label p = 0; p < nPieces; ++p)
+    {
+        begins_.append(pieces[p].first);
+        if (pieces[p].second == Pstream::myProcNo()) mine_ = p;
+    }
+    begins_.append(grid.n()[dir]);
+    coupled_ = periodic_ || nPieces > 1;
+    if (returnReduce(nPieces, maxOp<label>()) == 1) return;
 
-    // The ranks that share a bundle of lines deal them among themselves; where
-    // blocks are not aligned, all ranks deal all lines
-    const direction a = dir == 0 ? 1 : 0, b = 3 - dir - a;
-    const auto sameSection = [&](const cellBox& x, const cellBox& y)
+    sent_.resize(2 * nLines);
+    received_.resize(2 * nLines * nPieces);
+    before_.resize(nLines);
+    after_.resize(nLines);
+    labelList rank(received_.size()), place(rank.size()), source(rank.size());
+    for (label p = 0, k = 0; p < nPieces; ++p)
     {
-        return x.lo[a] == y.lo[a] && x.size[a] == y.size[a] &&
-               x.lo[b] == y.lo[b] && x.size[b] == y.size[b];
-    };
-    const List<cellBox> boxes(grid.allBoxes());
-    labelList sharing;
-    label held = 0;
-    forAll(boxes, proci)
-    {
-        if (sameSection(boxes[proci], box_))
+        for (label i = 0; i < 2 * nLines; ++i, ++k)
         {
-            sharing.append(proci);
-            held += boxes[proci].size[dir];
+            rank[k] = pieces[p].second;
+            place[k] = 2 * nLines * mine_ + i;
+            source[k] = i;
         }
     }
-    cellBox section(box_);
-    if (!returnReduce(held == n_, andOp<bool>()))
-    {
-        sharing = identity(Pstream::nProcs());
-        section.lo = labelVector::zero;
-        section.size = grid.n();
-    }
-
-    const label nLines = section.size[a] * section.size[b];
-    const label nRanks = sharing.size();
-    const auto first = [&](const label r)
-    { return label((int64_t(nLines) * r) / nRanks); };
-    const label me = sharing.find(Pstream::myProcNo());
-    nLines_ = first(me + 1) - first(me);
-
-    labelList rank(box_.count()), place(box_.count());
-    forAll(rank, i)
-    {
-        const labelVector c(box_.cell(i));
-        const label line =
-            c[a] - section.lo[a] + section.size[a] * (c[b] - section.lo[b]);
-        label r = label((int64_t(line) * nRanks) / nLines);
-        while (first(r) > line)
-        {
-            --r;
-        }
-        while (first(r + 1) <= line)
-        {
-            ++r;
-        }
-        rank[i] = sharing[r];
-        place[i] = (line - first(r)) + (first(r + 1) - first(r)) * c[dir];
-    }
-    toLines_.reset(new indexExchange(rank, place));
-    lines_.resize(nLines_ * n_);
+    exchange_.reset(new indexExchange(rank, place, source));
 }
 
 void Foam::lineSolver::factorise(const double beta)
 {
     beta_ = beta;
-    r_.assign(n_, 0);
-    c_.assign(n_, 0);
-    z_.assign(n_, 0);
-    const label begin = !periodic_ && faces_ ? 1 : 0;
-    const label last = periodic_ ? n_ - 2 : n_ - 1;
-    for (label j = begin; j <= last; ++j)
+    const label nPieces = begins_.size() - 1, n = begins_[nPieces];
+    const auto make = [&](const label p)
+    { return piece(begins_[p], begins_[p + 1], n, periodic_, faces_, beta); };
+    piece_.reset(new piece(make(mine_)));
+    if (!coupled_) return;
+
+    // Unknowns: first and last of all pieces.
+    //     first_p = y_0 + before_0 last_{p-1} + after_0 first_{p+1}, last alike
+    Eigen::MatrixXd A(Eigen::MatrixXd::Identity(2 * nPieces, 2 * nPieces));
+    const auto previous = [&](const label p)
+    { return 2 * ((p + nPieces - 1) % nPieces) + 1; };
+    const auto next = [&](const label p) { return 2 * ((p + 1) % nPieces); };
+    for (label p = 0; p < nPieces; ++p)
     {
-        double diag = 1 + 2 * beta;
-        if (!periodic_ && !faces_ && j == 0) diag += beta;
-        if (!periodic_ && !faces_ && j == n_ - 1) diag += beta;
-        r_[j] = 1 / (diag - (j > begin ? beta * c_[j - 1] : 0));
-        c_[j] = beta * r_[j];
-        const double b = (j == 0 ? 1 : 0) + (j == last ? 1 : 0);
-        z_[j] = c_[j] * (b + (j > begin ? z_[j - 1] : 0));
+        const piece q(make(p));
+        A(2 * p, previous(p)) -= q.before.front();
+        A(2 * p, next(p)) -= q.after.front();
+        A(2 * p + 1, previous(p)) -= q.before.back();
+        A(2 * p + 1, next(p)) -= q.after.back();
     }
-    if (periodic_)
+    const Eigen::MatrixXd inverse(A.inverse());
+    beforeFrom_.resize(2 * nPieces);
+    afterFrom_.resize(2 * nPieces);
+    for (label k = 0; k < 2 * nPieces; ++k)
     {
-        for (label j = last - 1; j >= 0; --j)
-        {
-            z_[j] += c_[j] * z_[j + 1];
-        }
-        rLast_ = 1 / (1 + 2 * beta - beta * (z_[0] + z_[last]));
+        beforeFrom_[k] = inverse(previous(mine_), k);
+        afterFrom_[k] = inverse(next(mine_), k);
+    }
+
+    const label m = box_.size[dir_];
+    reach_ = 1;
+    while (reach_ < m && (piece_->before[reach_] > 1e-18 ||
+                          piece_->after[m - 1 - reach_] > 1e-18))
+    {
+        ++reach_;
     }
 }
 
 void Foam::lineSolver::sweep(double* x, const label m, const label stride,
                              const double lower, const double upper) const
 {
-    const label begin = !periodic_ && faces_ ? 1 : 0;
-    const label last = periodic_ ? n_ - 2 : n_ - 1;
-    for (label j = begin; j <= last; ++j)
+    const label n = box_.size[dir_];
+    for (label j = 0; j < n; ++j)
     {
         double* __restrict__ xj = x + j * stride;
         const double* __restrict__ xm = xj - stride;
-        const double r = r_[j], b = beta_;
-        const double w = (j == begin ? lower : 0) + (j == last ? upper : 0);
-        if (j == begin)
+        const double r = piece_->r[j], b = beta_;
+        const double w = (j == 0 ? lower : 0) + (j == n - 1 ? upper : 0);
+        if (j == 0)
         {
             for (label i = 0; i < m; ++i)
             {
@@ -121,32 +190,92 @@ void Foam::lineSolver::sweep(double* x, const label m, const label stride,
             xj[i] = (xj[i] + w + b * xm[i]) * r;
         }
     }
-    for (label j = last - 1; j >= begin; --j)
+    for (label j = n - 2; j >= 0; --j)
     {
         double* __restrict__ xj = x + j * stride;
         const double* __restrict__ xp = xj + stride;
-        const double c = c_[j];
+        const double c = piece_->c[j];
         for (label i = 0; i < m; ++i)
         {
             xj[i] += c * xp[i];
         }
     }
-    if (periodic_)
+}
+
+void Foam::lineSolver::beyond(const double* ends, const label size,
+                              const label m, double* before,
+                              double* after) const
+{
+    std::fill(before, before + m, 0.0);
+    std::fill(after, after + m, 0.0);
+    for (size_t k = 0; k < beforeFrom_.size(); ++k)
     {
-        double* __restrict__ xl = x + (n_ - 1) * stride;
-        const double* __restrict__ x0 = x;
-        const double* __restrict__ xm = x + last * stride;
+        const double b = beforeFrom_[k], a = afterFrom_[k];
+        const double* __restrict__ y = ends + k * size;
         for (label i = 0; i < m; ++i)
         {
-            xl[i] = (xl[i] + beta_ * (xm[i] + x0[i])) * rLast_;
+            before[i] += b * y[i];
+            after[i] += a * y[i];
         }
-        for (label j = 0; j <= last; ++j)
+    }
+}
+
+void Foam::lineSolver::correct(double* x, const label m, const label stride,
+                               const double* before, const double* after) const
+{
+    const label n = box_.size[dir_];
+    for (label j = 0; j < n; ++j)
+    {
+        if (j >= reach_ && j < n - reach_) j = n - reach_;
+        double* __restrict__ xj = x + j * stride;
+        const double b = piece_->before[j], a = piece_->after[j];
+        for (label i = 0; i < m; ++i)
         {
-            double* __restrict__ xj = x + j * stride;
-            const double z = z_[j];
-            for (label i = 0; i < m; ++i)
+            xj[i] += b * before[i] + a * after[i];
+        }
+    }
+}
+
+template<class Visit>
+void Foam::lineSolver::parts(double* x, Visit visit)
+{
+    const label nx = box_.size.x(), ny = box_.size.y(), nz = box_.size.z();
+    if (dir_ == 2)
+    {
+        for (label j = 0; j < ny; ++j)
+        {
+            visit(x + j * nx, nx, nx * ny, j * nx);
+        }
+    }
+    else if (dir_ == 1)
+    {
+        for (label k = 0; k < nz; ++k)
+        {
+            visit(x + k * nx * ny, nx, nx, k * nx);
+        }
+    }
+    else
+    {
+        // Lines along memory: turn a plane on its side, so that the sweep
+        // runs over neighbours
+        plane_.resize(nx * ny);
+        for (label k = 0; k < nz; ++k)
+        {
+            double* plane = x + k * nx * ny;
+            for (label j = 0; j < ny; ++j)
             {
-                xj[i] += z * xl[i];
+                for (label i = 0; i < nx; ++i)
+                {
+                    plane_[i * ny + j] = plane[j * nx + i];
+                }
+            }
+            visit(plane_.data(), ny, ny, k * ny);
+            for (label j = 0; j < ny; ++j)
+            {
+                for (label i = 0; i < nx; ++i)
+                {
+                    plane[j * nx + i] = plane_[i * ny + j];
+                }
             }
         }
     }
@@ -157,57 +286,44 @@ void Foam::lineSolver::solve(double* x, const double beta, const double lower,
 {
     if (beta != beta_) factorise(beta);
     const bool given = !periodic_ && !faces_;
-    const double lo = given ? 2 * beta * lower : 0;
-    const double up = given ? 2 * beta * upper : 0;
+    const label end = box_.lo[dir_] + box_.size[dir_];
+    const double lo = given && box_.lo[dir_] == 0 ? 2 * beta * lower : 0;
+    const double up = given && end == begins_.last() ? 2 * beta * upper : 0;
+    const label last = box_.size[dir_] - 1;
 
-    if (toLines_)
+    if (!exchange_)
     {
-        toLines_->forward(x, lines_.data());
-        sweep(lines_.data(), nLines_, nLines_, lo, up);
-        toLines_->backward(lines_.data(), x);
+        double ends[2 * 64], before[64], after[64];
+        parts(x,
+              [&](double* y, const label m, const label stride, const label)
+              {
+                  sweep(y, m, stride, lo, up);
+                  if (!coupled_) return;
+                  for (label i = 0; i < m; i += 64)
+                  {
+                      const label some = min(label(64), m - i);
+                      std::copy_n(y + i, some, ends);
+                      std::copy_n(y + last * stride + i, some, ends + 64);
+                      beyond(ends, 64, some, before, after);
+                      correct(y + i, some, stride, before, after);
+                  }
+              });
         return;
     }
 
-    const label nx = box_.size.x(), ny = box_.size.y(), nz = box_.size.z();
-    if (dir_ == 2)
-    {
-        // A row of x at a time: the sweep stays in cache
-        for (label j = 0; j < ny; ++j)
-        {
-            sweep(x + j * nx, nx, nx * ny, lo, up);
-        }
-    }
-    else if (dir_ == 1)
-    {
-        for (label k = 0; k < nz; ++k)
-        {
-            sweep(x + k * nx * ny, nx, nx, lo, up);
-        }
-    }
-    else
-    {
-        // Lines along memory: turn a plane on its side, so that the sweep
-        // runs over neighbours
-        std::vector<double>& t = lines_;
-        t.resize(nx * ny);
-        for (label k = 0; k < nz; ++k)
-        {
-            double* plane = x + k * nx * ny;
-            for (label j = 0; j < ny; ++j)
-            {
-                for (label i = 0; i < nx; ++i)
-                {
-                    t[i * ny + j] = plane[j * nx + i];
-                }
-            }
-            sweep(t.data(), ny, ny, lo, up);
-            for (label j = 0; j < ny; ++j)
-            {
-                for (label i = 0; i < nx; ++i)
-                {
-                    plane[j * nx + i] = t[i * ny + j];
-                }
-            }
-        }
-    }
+    const label nLines = before_.size();
+    parts(x,
+          [&](double* y, const label m, const label stride, const label line)
+          {
+              sweep(y, m, stride, lo, up);
+              std::copy_n(y, m, sent_.data() + line);
+              std::copy_n(y + last * stride, m, sent_.data() + nLines + line);
+          });
+    exchange_->forward(sent_.data(), received_.data());
+    beyond(received_.data(), nLines, nLines, before_.data(), after_.data());
+    parts(x,
+          [&](double* y, const label m, const label stride, const label line) {
+              correct(y, m, stride, before_.data() + line,
+                      after_.data() + line);
+          });
 }

@@ -18,6 +18,11 @@ Foam::string Foam::staggeredFlow::unsupported(const volVectorField& U,
                "simple or hierarchical)";
     }
 
+    if (!lineSolver::aligned(grid))
+    {
+        return "the blocks of the ranks are not aligned";
+    }
+
     for (direction d = 0; d < 3; ++d)
     {
         if (grid.n()[d] < 3)
@@ -155,13 +160,13 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
     // First, as making it takes memory for a moment
     {
         List<labelVector> cells(box_.count());
-    labelList places(box_.count());
-    forAll(cells, i)
-    {
-        cells[i] = box_.cell(i);
-        places[i] = block_.place(cells[i] - box_.lo);
-    }
-    poisson_.reset(new fastHelmholtz(grid_, sides, cells, places));
+        labelList places(box_.count());
+        forAll(cells, i)
+        {
+            cells[i] = box_.cell(i);
+            places[i] = block_.place(cells[i] - box_.lo);
+        }
+        poisson_.reset(new fastHelmholtz(grid_, sides, cells, places));
     }
     for (direction d = 0; d < 3; ++d)
     {
