@@ -78,6 +78,10 @@ Foam::sphericalHarmonics::sphericalHarmonics(const int degree, int nTheta)
     p_.resize(atP);
     dp_.resize(atP);
     mp_.resize(atP);
+    for (std::vector<double>* table : {&tt_, &tp_, &pp_})
+    {
+        table->resize(atP);
+    }
     RowMatrix P = RowMatrix::Zero(N + 2, N + 2); // (n, m)
     for (int i = 0; i < half_; ++i)
     {
@@ -117,6 +121,9 @@ Foam::sphericalHarmonics::sphericalHarmonics(const int degree, int nTheta)
                     p_[e] = P(n, m);
                     dp_[e] = 0.5 * (down - up);
                     mp_[e] = m * P(n, m) / s;
+                    tp_[e] = m / s * (dp_[e] - c / s * p_[e]);
+                    pp_[e] = (c * dp_[e] - m * mp_[e]) / s;
+                    tt_[e] = -double(n) * (n + 1) * p_[e] - pp_[e];
                 }
             }
         }
@@ -297,6 +304,34 @@ void Foam::sphericalHarmonics::gradientAdjoint(const double* vt,
     legendreSumAdjoint(dp_, true, fourier_.data(), coeffs);
     fourierSumAdjoint(dtrig_, vp, fourier_.data());
     legendreSumAdjoint(mp_, false, fourier_.data(), coeffs);
+}
+
+void Foam::sphericalHarmonics::hessian(const double* coeffs, double* xtt,
+                                       double* xtp, double* xpp) const
+{
+    for (double* x : {xtt, xtp, xpp})
+    {
+        std::fill(x, x + 3 * nPoints(), 0.0);
+    }
+    legendreSum(tt_, false, coeffs, fourier_.data());
+    fourierSum(trig_, fourier_.data(), xtt);
+    legendreSum(tp_, true, coeffs, fourier_.data());
+    fourierSum(dtrig_, fourier_.data(), xtp);
+    legendreSum(pp_, false, coeffs, fourier_.data());
+    fourierSum(trig_, fourier_.data(), xpp);
+}
+
+void Foam::sphericalHarmonics::addHessianAdjoint(const double* mtt,
+                                                 const double* mtp,
+                                                 const double* mpp,
+                                                 double* coeffs) const
+{
+    fourierSumAdjoint(trig_, mtt, fourier_.data());
+    legendreSumAdjoint(tt_, false, fourier_.data(), coeffs);
+    fourierSumAdjoint(dtrig_, mtp, fourier_.data());
+    legendreSumAdjoint(tp_, true, fourier_.data(), coeffs);
+    fourierSumAdjoint(trig_, mpp, fourier_.data());
+    legendreSumAdjoint(pp_, false, fourier_.data(), coeffs);
 }
 
 void Foam::sphericalHarmonics::analysis(const double* f, double* coeffs) const

@@ -1,0 +1,207 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "bending.H"
+#include "dictionaryChecks.H"
+#include "vector.H"
+#include <cmath>
+
+namespace
+{
+using namespace Foam;
+
+//- Geometry of one point. Index 0 is theta, 1 is phi
+struct pointGeometry
+{
+    vector x[2], n;
+    vector H[2][2];
+    double J, up[2][2]; // area per solid angle, contravariant metric
+    double b[2][2];     // covariant curvature
+    double mixed[2][2]; // b_a^b
+};
+} // namespace
+
+// point(k, geometry) at all points of the grid
+template<class Point>
+void Foam::bending::each(const double* coeffs, Point point) const
+{
+    harmonics_.gradient(coeffs, t_.data(), p_.data());
+    harmonics_.hessian(coeffs, tt_.data(), tp_.data(), pp_.data());
+    const label n = harmonics_.nPoints();
+    const auto at = [n](const std::vector<double>& v, const label k)
+    { return vector(v[k], v[n + k], v[2 * n + k]); };
+
+    pointGeometry g;
+    for (label k = 0; k < n; ++k)
+    {
+        g.x[0] = at(t_, k);
+        g.x[1] = at(p_, k);
+        g.H[0][0] = at(tt_, k);
+        g.H[0][1] = g.H[1][0] = at(tp_, k);
+        g.H[1][1] = at(pp_, k);
+        const vector area(g.x[0] ^ g.x[1]);
+        g.J = mag(area);
+        g.n = area / g.J;
+        const double r = 1 / (g.J * g.J);
+        g.up[0][0] = r * (g.x[1] & g.x[1]);
+        g.up[1][1] = r * (g.x[0] & g.x[0]);
+        g.up[0][1] = g.up[1][0] = -r * (g.x[0] & g.x[1]);
+        for (int a = 0; a < 2; ++a)
+        {
+            for (int b = 0; b < 2; ++b)
+            {
+                g.b[a][b] = g.n & g.H[a][b];
+            }
+        }
+        for (int a = 0; a < 2; ++a)
+        {
+            for (int b = 0; b < 2; ++b)
+            {
+                g.mixed[a][b] = g.b[a][0] * g.up[0][b] + g.b[a][1] * g.up[1][b];
+            }
+        }
+        point(k, g);
+    }
+}
+
+Foam::bending::bending(const dictionary& dict,
+                       const sphericalHarmonics& harmonics, const scalar radius,
+                       const std::vector<double>& initial)
+    : harmonics_(harmonics),
+      modulus_(readPositive(dict, "modulus", dimForce * dimLength)),
+      reference_(4 * harmonics.nPoints(), 0)
+{
+    checkEntries(dict, {"modulus", "reference"});
+    const label n = harmonics_.nPoints();
+    for (std::vector<double>* v : {&t_, &p_, &tt_, &tp_, &pp_})
+    {
+        v->resize(3 * n);
+    }
+
+    const token first(dict.found("reference")
+                          ? token(dict.lookup("reference")[0])
+                          : token(word("sphere")));
+    scalar curvature = 0;
+    if (first.isNumber())
+    {
+        curvature = first.number();
+    }
+    else if (first.isWord() && first.wordToken() == "sphere")
+    {
+        curvature = 1 / radius;
+    }
+    else if (first.isWord() && first.wordToken() == "initial")
+    {
+        each(initial.data(),
+             [&](const label k, const pointGeometry& g)
+             {
+                 for (int i = 0; i < 4; ++i)
+                 {
+                     reference_[4 * k + i] = g.mixed[i / 2][i % 2];
+                 }
+             });
+        return;
+    }
+    else if (!(first.isWord() && first.wordToken() == "none"))
+    {
+        refuse(dict, "reference", first.isWord() ? first.wordToken() : "?",
+               "none, sphere, initial, or a curvature");
+    }
+    for (label k = 0; k < n; ++k)
+    {
+        reference_[4 * k] = reference_[4 * k + 3] = -curvature;
+    }
+}
+
+void Foam::bending::addLoad(const double* coeffs, double* q) const
+{
+    const label n = harmonics_.nPoints();
+    each(coeffs,
+         [&](const label k, const pointGeometry& g)
+         {
+             // M^ab, and sym(M^am b_m^b)
+             double full[2][2], M[2][2], N[2][2];
+             for (int a = 0; a < 2; ++a)
+             {
+                 for (int b = 0; b < 2; ++b)
+                 {
+                     full[a][b] = 0;
+                     for (int c = 0; c < 2; ++c)
+                     {
+                         full[a][b] -=
+                             modulus_ *
+                             (g.mixed[c][a] - reference_[4 * k + 2 * c + a]) *
+                             g.up[c][b];
+                     }
+                 }
+             }
+             M[0][0] = full[0][0];
+             M[1][1] = full[1][1];
+             M[0][1] = M[1][0] = 0.5 * (full[0][1] + full[1][0]);
+             for (int a = 0; a < 2; ++a)
+             {
+                 for (int b = 0; b < 2; ++b)
+                 {
+                     full[a][b] =
+                         M[a][0] * g.mixed[0][b] + M[a][1] * g.mixed[1][b];
+                 }
+             }
+             N[0][0] = full[0][0];
+             N[1][1] = full[1][1];
+             N[0][1] = N[1][0] = 0.5 * (full[0][1] + full[1][0]);
+
+             // What multiplies dx_a and H_ab(dx)
+             const double w = g.J * harmonics_.weight(k);
+             vector first[2];
+             for (int a = 0; a < 2; ++a)
+             {
+                 double s = 0; // M^bc S^a_bc
+                 for (int d = 0; d < 2; ++d)
+                 {
+                     s += g.up[a][d] * (g.x[d] & (M[0][0] * g.H[0][0] +
+                                                  2 * M[0][1] * g.H[0][1] +
+                                                  M[1][1] * g.H[1][1]));
+                 }
+                 first[a] = w * (N[a][0] * g.x[0] + N[a][1] * g.x[1] + s * g.n);
+             }
+             for (direction c = 0; c < 3; ++c)
+             {
+                 t_[c * n + k] = first[0][c];
+                 p_[c * n + k] = first[1][c];
+                 tt_[c * n + k] = -w * M[0][0] * g.n[c];
+                 tp_[c * n + k] = -2 * w * M[0][1] * g.n[c];
+                 pp_[c * n + k] = -w * M[1][1] * g.n[c];
+             }
+         });
+
+    std::vector<double> tension(3 * harmonics_.nCoeffs());
+    harmonics_.gradientAdjoint(t_.data(), p_.data(), tension.data());
+    harmonics_.addHessianAdjoint(tt_.data(), tp_.data(), pp_.data(),
+                                 tension.data());
+    for (size_t i = 0; i < tension.size(); ++i)
+    {
+        q[i] += tension[i];
+    }
+}
+
+Foam::scalar Foam::bending::energy(const double* coeffs) const
+{
+    double sum = 0;
+    each(coeffs,
+         [&](const label k, const pointGeometry& g)
+         {
+             double d[4], square = 0;
+             for (int i = 0; i < 4; ++i)
+             {
+                 d[i] = g.mixed[i / 2][i % 2] - reference_[4 * k + i];
+             }
+             square = d[0] * d[0] + 2 * d[1] * d[2] + d[3] * d[3];
+             sum += 0.5 * modulus_ * g.J * harmonics_.weight(k) * square;
+         });
+    return sum;
+}
+
+void Foam::bending::curvature(const double* coeffs, double* c) const
+{
+    each(coeffs, [&](const label k, const pointGeometry& g)
+         { c[k] = -g.mixed[0][0] - g.mixed[1][1]; });
+}
