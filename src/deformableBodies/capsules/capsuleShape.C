@@ -71,7 +71,8 @@ Foam::scalarList Foam::capsules::sample(const label i) const
                 : 90 / constant::mathematical::pi * std::atan2(2 * fg, ff - gg),
             length,
             breadth,
-            membrane_->energy(x.data()),
+            membrane_->energy(x.data()) +
+                (bending_ ? bending_->energy(x.data()) : 0),
             membrane_->maxStretch(x.data())};
 }
 
@@ -102,7 +103,7 @@ Foam::bodySurface Foam::capsules::surface(const label i) const
 
     // Load per deformed area [N/m^2]: q is per solid angle
     numbers q(coeffs_.size()), T1(n), T2(n);
-    membrane_->load(c.x.data(), q.data());
+    load(c.x, q);
     grid.values(q.data(), onGrid_.data());
     s.vectors[1] = vectors(onGrid_);
     grid.gradient(c.x.data(), xt_.data(), xp_.data());
@@ -151,7 +152,7 @@ Foam::scalarList Foam::capsules::state(const label i) const
     const capsule& c = capsules_[i];
     DynamicList<scalar> s;
     s.append(c.lastDeltaT);
-    for (const numbers* v : {&c.x, &c.velocity})
+    for (const numbers* v : {&c.x, &c.velocity, &c.previous})
     {
         s.append(UList<scalar>(const_cast<double*>(v->data()), v->size()));
     }
@@ -163,7 +164,7 @@ void Foam::capsules::setState(const label i, const scalarList& state,
 {
     capsule& c = capsules_[i];
     const label n = c.x.size();
-    if (state.size() != 1 + 2 * n)
+    if (state.size() != 1 + 2 * n && state.size() != 1 + 3 * n)
     {
         FatalIOErrorInFunction(source)
             << "the saved state of body " << mine()[i] << " has "
@@ -172,9 +173,12 @@ void Foam::capsules::setState(const label i, const scalarList& state,
             << exit(FatalIOError);
     }
     c.lastDeltaT = state[0];
-    for (label j = 0; j < n; ++j)
+    const auto begin = state.cdata() + 1;
+    c.x.assign(begin, begin + n);
+    c.xMid = c.x;
+    c.velocity.assign(begin + n, begin + 2 * n);
+    if (stabilised_ && state.size() > 1 + 2 * n)
     {
-        c.x[j] = c.xMid[j] = state[1 + j];
-        c.velocity[j] = state[1 + n + j];
+        c.previous.assign(begin + 2 * n, begin + 3 * n);
     }
 }

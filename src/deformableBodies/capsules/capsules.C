@@ -3,6 +3,7 @@
 #include "capsules.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
+#include "initialShape.H"
 #include <cmath>
 
 namespace Foam
@@ -18,19 +19,8 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
     checkEntries(dict, {"type", "shape", "positions", "membrane", "harmonics",
                         "dealiasing", "markerSpacing", "shearPlane", "coupling",
                         "bending", "viscosityRatio", "prestress", "gravity",
-                        "densityRatio"});
+                        "densityRatio", "stressFree", "motion"});
     requireNeutral(dict, "viscosityRatio", 1);
-    requireNeutral(dict, "prestress", 0);
-    if (dict.found("bending"))
-        requireNeutral(dict.subDict("bending"), "modulus", 0);
-
-    const dictionary& shape = dict.subDict("shape");
-    checkEntries(shape, {"type", "radius"});
-    if (shape.get<word>("type") != "sphere")
-    {
-        refuse(shape, "type", shape.get<word>("type"), "sphere");
-    }
-    radius_ = readPositive(shape, "radius", dimLength);
 
     const label degree = byAccuracy<label>(dict, "harmonics", 12, 16, 24);
     if (degree < 4 || degree > 64)
@@ -75,21 +65,49 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
         weight_ = (ratio - 1) * scene.rho * scene.g;
     }
 
-    // Markers: the sphere's circumference in h, stretched by a quarter
+    // The first shape, about the origin, from values on a dense grid
+    const dictionary& shape = dict.subDict("shape");
+    const sphericalHarmonics fine(degree, 2 * degree + 2);
+    const numbers initial(initialShape(shape, fine));
+    scalar extent = 0;
+    {
+        numbers values(3 * fine.nPoints());
+        fine.values(initial.data(), values.data());
+        const label n = fine.nPoints();
+        for (label k = 0; k < n; ++k)
+        {
+            extent =
+                max(extent,
+                    mag(vector(values[k], values[n + k], values[2 * n + k])));
+        }
+    }
+
+    // Markers: the largest circumference in h, stretched by a quarter
     const scalar h = cmptMin(scene.grid.h());
     const label nTheta =
         max(degree + 1, label(std::ceil(1.25 * constant::mathematical::pi *
-                                        radius_ / (spacing * h))));
+                                        extent / (spacing * h))));
     if (nTheta > 1000)
     {
-        refuse(shape, "radius", Foam::name(radius_),
-               "radii below " + Foam::name(radius_ * 1000 / nTheta) +
+        refuse(dict, "shape", "of size " + Foam::name(extent),
+               "sizes below " + Foam::name(extent * 1000 / nTheta) +
                    " on this mesh (1000 rings of markers)");
     }
     markerGrid_.reset(new sphericalHarmonics(degree, nTheta));
+    coeffs_.resize(initial.size());
 
-    coeffs_.resize(3 * markerGrid_->nCoeffs());
-    const numbers stressFree(sphere(point::zero));
+    const scalar prestress = dict.getOrDefault<scalar>("prestress", 0);
+    if (!(prestress > -1))
+    {
+        refuse(dict, "prestress", Foam::name(prestress), "greater than -1");
+    }
+    numbers stressFree(dict.found("stressFree")
+                           ? initialShape(dict.subDict("stressFree"), fine)
+                           : initial);
+    for (double& x : stressFree)
+    {
+        x /= 1 + prestress;
+    }
     membrane_.reset(new membrane(degree, label(dealiasing * degree) + 1,
                                  dict.subDict("membrane"), stressFree));
 
@@ -98,14 +116,42 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
     onGrid_.resize(xt_.size());
     onMarkers_.resize(3 * markerGrid_->nPoints());
 
-    const geometry reference(measure(stressFree));
+    const geometry reference(measure(initial));
     referenceVolume_ = reference.volume;
     referenceArea_ = reference.area;
+    radius_ = std::cbrt(0.75 / constant::mathematical::pi * referenceVolume_);
+
+    const dictionary bend(dict.subOrEmptyDict("bending"));
+    if (dict.found("bending") && bend.get<scalar>("modulus") != 0)
+    {
+        bending_.reset(
+            new bending(bend, membrane_->harmonics(), radius_, initial));
+    }
+    const word motion(dict.getOrDefault<word>("motion", "explicit"));
+    const membraneModel& law = membrane_->model();
+    stabilised_.reset(new stabilisedMotion(
+        *markerGrid_, 0.25 * (law.shearModulus() + law.areaModulus()),
+        bending_ ? bending_->modulus() : 0, scene.mu, radius_));
+    fastest_ = stabilised_->fastest();
+    if (motion == "explicit")
+    {
+        stabilised_.reset();
+    }
+    else if (motion != "stabilised")
+    {
+        refuse(dict, "motion", motion, "(explicit stabilised)");
+    }
 
     const pointField positions(readPositions(dict));
     forAll(positions, bodyi)
     {
-        const numbers x(sphere(positions[bodyi]));
+        // The harmonic of degree 0 is 1/sqrt(4 pi)
+        numbers x(initial);
+        for (direction d = 0; d < 3; ++d)
+        {
+            x[d] +=
+                positions[bodyi][d] * std::sqrt(4 * constant::mathematical::pi);
+        }
         checkFits(dict, bodyi, x);
         if (mine().found(bodyi))
         {
@@ -122,30 +168,17 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
                                Foam::name(nBodies()) + " capsules, " +
                                Foam::name(markerGrid_->nPoints()) +
                                " markers each");
-    scene_.effects.declare("bending", false, "no bending modulus given");
+    scene_.effects.declare("bending", bool(bending_),
+                           bending_
+                               ? "modulus " + Foam::name(bending_->modulus())
+                               : string("no bending modulus given"));
+    scene_.effects.declare("stabilised", bool(stabilised_),
+                           stabilised_ ? "motion of stiff membranes"
+                                       : "motion explicit");
     scene_.effects.declare("gravity", weight_ != vector::zero,
                            weight_ != vector::zero ? "weight of the filling"
                                                    : "none on the bodies");
     scene_.effects.declare("viscosityRatio", false, "same fluid inside");
-}
-
-Foam::capsules::numbers Foam::capsules::sphere(const point& centre) const
-{
-    const sphericalHarmonics& grid = *markerGrid_;
-    numbers values(3 * grid.nPoints()), x(coeffs_.size());
-    for (label k = 0; k < grid.nPoints(); ++k)
-    {
-        const double t = grid.theta(k / grid.nPhi());
-        const double p = grid.phi(k % grid.nPhi());
-        const vector e(std::sin(t) * std::cos(p), std::sin(t) * std::sin(p),
-                       std::cos(t));
-        for (direction d = 0; d < 3; ++d)
-        {
-            values[d * grid.nPoints() + k] = centre[d] + radius_ * e[d];
-        }
-    }
-    grid.analysis(values.data(), x.data());
-    return x;
 }
 
 void Foam::capsules::checkFits(const dictionary& dict, const label body,
@@ -259,7 +292,14 @@ Foam::string Foam::capsules::move(const vector* U, const scalar dt)
                 dt * ((1 + 0.5 * r) * velocity[j] - 0.5 * r * c.velocity[j]);
             finite = finite && std::abs(step) < GREAT;
             coeffs_[j] = c.x[j] + step;
-            c.xMid[j] = c.x[j] + 0.5 * step;
+        }
+        if (stabilised_ && finite)
+        {
+            const auto timing(scene_.effects.time("stabilised"));
+            stabilised_->apply(
+                c.x, c.previous, coeffs_, dt, r,
+                [&](const numbers& x, numbers& dV) { volumeGradient(x, dV); },
+                *markerGrid_);
         }
 
         // The last good state stays in place where the new one is none
@@ -274,11 +314,26 @@ Foam::string Foam::capsules::move(const vector* U, const scalar dt)
             c.xMid = c.x;
             continue;
         }
+        for (size_t j = 0; j < g.size(); ++j)
+        {
+            c.xMid[j] = 0.5 * (c.x[j] + coeffs_[j]);
+        }
+        if (stabilised_) c.previous = c.x;
         c.x = coeffs_;
         c.velocity = velocity;
         c.lastDeltaT = dt;
     }
     return trouble;
+}
+
+void Foam::capsules::load(const numbers& x, numbers& q) const
+{
+    membrane_->load(x.data(), q.data());
+    if (bending_)
+    {
+        const auto timing(scene_.effects.time("bending"));
+        bending_->addLoad(x.data(), q.data());
+    }
 }
 
 void Foam::capsules::addWeight(const capsule& c, const vector* X,
@@ -305,7 +360,7 @@ void Foam::capsules::loads(vector* X, vector* F)
     for (const capsule& c : capsules_)
     {
         atMarkers(c.xMid, X, 1);
-        membrane_->load(c.xMid.data(), coeffs_.data());
+        load(c.xMid, coeffs_);
         atMarkers(coeffs_, F, -1);
         for (label k = 0; k < n; ++k)
         {
@@ -319,6 +374,7 @@ void Foam::capsules::loads(vector* X, vector* F)
 
 Foam::scalar Foam::capsules::maxDeltaT() const
 {
-    return 2.3 / membrane_->harmonics().degree() * scene_.mu * radius_ /
-           membrane_->model().shearModulus();
+    // Stability of Adams-Bashforth 2 with the fastest harmonic; the stabilised
+    // motion has no such limit, only that of accuracy
+    return stabilised_ ? GREAT : 1 / fastest_;
 }

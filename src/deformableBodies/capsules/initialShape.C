@@ -1,0 +1,157 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "initialShape.H"
+#include "dictionaryChecks.H"
+#include "transform.H"
+#include "triSurface.H"
+#include <cmath>
+
+namespace
+{
+using namespace Foam;
+
+//- A closed triangulated surface, star-shaped about its centre of volume
+class starSurface
+{
+    const dictionary& dict_;
+    triSurface surface_;
+    point centre_ = Zero;
+
+    void refuseFile(const string& why) const
+    {
+        FatalIOErrorInFunction(dict_)
+            << "entry file: " << dict_.get<fileName>("file") << " "
+            << why.c_str() << nl
+            << "    allowed: a closed triangulated surface without holes,"
+            << " all of which is seen from its centre" << exit(FatalIOError);
+    }
+
+public:
+    explicit starSurface(const dictionary& dict)
+        : dict_(dict),
+          surface_(dict.get<fileName>("file").expand(),
+                   dict.getOrDefault<scalar>("scale", 1))
+    {
+        for (const labelList& faces : surface_.edgeFaces())
+        {
+            if (faces.size() != 2)
+            {
+                refuseFile("is open, or edges belong to more than two faces");
+            }
+        }
+        scalar volume = 0;
+        const pointField& points = surface_.points();
+        for (const labelledTri& t : surface_)
+        {
+            const vector &a = points[t[0]], &b = points[t[1]],
+                         &c = points[t[2]];
+            const scalar v = (a & (b ^ c)) / 6;
+            volume += v;
+            centre_ += v * (a + b + c) / 4;
+        }
+        centre_ /= volume;
+    }
+
+    //- The one point of the surface in a direction
+    point at(const vector& e) const
+    {
+        const pointField& points = surface_.points();
+        scalar distance = -1;
+        for (const labelledTri& t : surface_)
+        {
+            const vector a(points[t[0]] - centre_), b(points[t[1]] - centre_),
+                c(points[t[2]] - centre_);
+            const scalar det = a & (b ^ c);
+            if (mag(det) < VSMALL) continue;
+
+            // e = u a + v b + w c; edges belong to both sides
+            const scalar u = (e & (b ^ c)) / det, v = (e & (c ^ a)) / det,
+                         w = (e & (a ^ b)) / det, sum = u + v + w;
+            const scalar tolerance = -1e-9 * mag(sum);
+            if (sum <= 0 || min(u, min(v, w)) < tolerance) continue;
+
+            const scalar r = 1 / sum;
+            if (distance > 0 && mag(r - distance) > 1e-6 * distance)
+            {
+                refuseFile(
+                    "is not star-shaped: the ray from its centre along (" +
+                    Foam::name(e.x()) + " " + Foam::name(e.y()) + " " +
+                    Foam::name(e.z()) + ") meets it more than once");
+            }
+            distance = r;
+        }
+        if (distance < 0) refuseFile("has a hole, or its centre lies outside");
+        return distance * e;
+    }
+};
+} // namespace
+
+std::vector<double> Foam::initialShape(const dictionary& dict,
+                                       const sphericalHarmonics& grid)
+{
+    const word type(dict.get<word>("type"));
+    const vector axis(dict.getOrDefault<vector>("axis", vector(0, 0, 1)));
+    if (!(mag(axis) > 0)) refuse(dict, "axis", "(0 0 0)", "a direction");
+    const tensor turn(rotationTensor(vector(0, 0, 1), axis / mag(axis)));
+
+    const int n = grid.nPoints();
+    std::vector<double> values(3 * n), coeffs(3 * grid.nCoeffs());
+    const auto make = [&](const auto& map)
+    {
+        for (int k = 0; k < n; ++k)
+        {
+            const double t = grid.theta(k / grid.nPhi());
+            const double p = grid.phi(k % grid.nPhi());
+            const vector x(turn &
+                           map(vector(std::sin(t) * std::cos(p),
+                                      std::sin(t) * std::sin(p), std::cos(t))));
+            for (direction d = 0; d < 3; ++d)
+            {
+                values[d * n + k] = x[d];
+            }
+        }
+        grid.analysis(values.data(), coeffs.data());
+    };
+
+    if (type == "sphere")
+    {
+        checkEntries(dict, {"type", "radius", "axis"});
+        const scalar R = readPositive(dict, "radius", dimLength);
+        make([&](const vector& e) { return vector(R * e); });
+    }
+    else if (type == "ellipsoid")
+    {
+        checkEntries(dict, {"type", "semiAxes", "axis"});
+        const vector s(dict.get<vector>("semiAxes"));
+        if (!(cmptMin(s) > 0))
+        {
+            refuse(dict, "semiAxes", Foam::name(cmptMin(s)),
+                   "three numbers greater than 0");
+        }
+        make([&](const vector& e) { return vector(cmptMultiply(s, e)); });
+    }
+    else if (type == "biconcave")
+    {
+        checkEntries(dict, {"type", "radius", "axis"});
+        const scalar R = readPositive(dict, "radius", dimLength);
+        make(
+            [&](const vector& e)
+            {
+                const scalar r2 = sqr(e.x()) + sqr(e.y());
+                return R * vector(e.x(), e.y(),
+                                  0.5 * e.z() *
+                                      (0.207 + 2.003 * r2 - 1.123 * sqr(r2)));
+            });
+    }
+    else if (type == "fromFile")
+    {
+        checkEntries(dict, {"type", "file", "scale", "axis"});
+        const starSurface surface(dict);
+        make([&](const vector& e) { return surface.at(e); });
+    }
+    else
+    {
+        refuse(dict, "type", type, "(sphere ellipsoid biconcave fromFile)");
+    }
+    return coeffs;
+}
