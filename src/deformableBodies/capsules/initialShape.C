@@ -20,7 +20,7 @@ class starSurface
     void refuseFile(const string& why) const
     {
         FatalIOErrorInFunction(dict_)
-            << "entry file: " << dict_.get<fileName>("file") << " "
+            << "entry file: " << dict_.get<fileName>("file").c_str() << " "
             << why.c_str() << nl
             << "    allowed: a closed triangulated surface without holes,"
             << " all of which is seen from its centre" << exit(FatalIOError);
