@@ -52,16 +52,21 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
         shearPlane_[k] = d;
     }
 
-    if (dict.getOrDefault<bool>("gravity", false))
+    const bool heavy = dict.getOrDefault<bool>("gravity", false);
+    if (heavy != dict.found("densityRatio"))
+    {
+        refuse(dict, "gravity", heavy ? "on" : "off",
+               heavy ? "off, or a densityRatio with it"
+                     : "on with a densityRatio");
+    }
+    if (heavy)
     {
         if (scene.g == vector::zero)
         {
             refuse(dict, "gravity", "on",
                    "off, or a file constant/g with a value");
         }
-        const scalar ratio = dict.found("densityRatio")
-                                 ? readPositive(dict, "densityRatio", dimless)
-                                 : 1;
+        const scalar ratio = readPositive(dict, "densityRatio", dimless);
         weight_ = (ratio - 1) * scene.rho * scene.g;
     }
 
@@ -122,7 +127,9 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
     radius_ = std::cbrt(0.75 / constant::mathematical::pi * referenceVolume_);
 
     const dictionary bend(dict.subOrEmptyDict("bending"));
-    if (dict.found("bending") && bend.get<scalar>("modulus") != 0)
+    checkEntries(bend, {"modulus", "reference"});
+    if (dict.found("bending") &&
+        dimensionedScalar("modulus", dimForce * dimLength, bend).value() != 0)
     {
         bending_.reset(
             new bending(bend, membrane_->harmonics(), radius_, initial));

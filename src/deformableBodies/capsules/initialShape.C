@@ -92,7 +92,10 @@ std::vector<double> Foam::initialShape(const dictionary& dict,
     const word type(dict.get<word>("type"));
     const vector axis(dict.getOrDefault<vector>("axis", vector(0, 0, 1)));
     if (!(mag(axis) > 0)) refuse(dict, "axis", "(0 0 0)", "a direction");
-    const tensor turn(rotationTensor(vector(0, 0, 1), axis / mag(axis)));
+    // (between opposite vectors rotationTensor returns a mirror)
+    const vector e(axis / mag(axis));
+    const tensor turn(e.z() < -1 + 1e-12 ? tensor(1, 0, 0, 0, -1, 0, 0, 0, -1)
+                                         : rotationTensor(vector(0, 0, 1), e));
 
     const int n = grid.nPoints();
     std::vector<double> values(3 * n), coeffs(3 * grid.nCoeffs());

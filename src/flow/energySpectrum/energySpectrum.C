@@ -54,18 +54,19 @@ bool Foam::functionObjects::energySpectrum::read(const dictionary& dict)
                  IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false));
     nu_ = readPositive(dict.found("nu") ? dict : transport, "nu", dimViscosity);
 
-    List<labelVector> cells(grid_.box().count());
-    forAll(cells, i)
+    List<labelVector> cells(grid_.index().size());
+    forAll(cells, celli)
     {
-        cells[i] = grid_.box().cell(i);
+        cells[celli] = grid_.ijk(celli);
     }
-    transform_.reset(new planeTransform(grid_, sides, cells));
+    transform_.reset(new planeTransform(grid_, sides, cells, grid_.index()));
     dk_ = constant::mathematical::twoPi / cmptMax(grid_.length());
     return true;
 }
 
 bool Foam::functionObjects::energySpectrum::execute()
 {
+    lastIndex_ = time_.timeIndex();
     staggeredField u(grid_.box());
     grid_.toStaggered(lookupObject<surfaceScalarField>(phiName_), u);
 
@@ -150,7 +151,8 @@ bool Foam::functionObjects::energySpectrum::execute()
 
 bool Foam::functionObjects::energySpectrum::write()
 {
-    if (!Pstream::master() || energy_.empty()) return true;
+    if (lastIndex_ != time_.timeIndex()) execute();
+    if (!Pstream::master()) return true;
 
     const fileName dir(baseFileDir() / name() / time_.timeName());
     mkDir(dir);

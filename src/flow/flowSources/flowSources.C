@@ -70,6 +70,13 @@ Foam::string Foam::flowSources::unsupported(const fv::option& o,
     {
         return "it does not know fvOption " + o.name() + " of type " + o.type();
     }
+    for (const word code : {"codeCorrect", "codeConstrain"})
+    {
+        if (!o.coeffs().getOrDefault<string>(code, "").empty())
+        {
+            return "fvOption " + o.name() + " has " + code;
+        }
+    }
     if (o.type() == "vectorSemiImplicitSource" &&
         isImplicit(matrixOf(const_cast<fv::option&>(o), U)))
     {
@@ -110,8 +117,7 @@ Foam::flowSources::flowSources(fv::optionList& options, volVectorField& U,
         if (o.type() == "meanVelocityForce")
         {
             held_ = i;
-            const vector Ubar(o.coeffs().get<vector>("Ubar"));
-            flow_.hold(axisOf(Ubar), Ubar[axisOf(Ubar)]);
+            Ubar_ = o.coeffs().get<vector>("Ubar");
             if (Pstream::master())
             {
                 const Time& time = U.time();
@@ -145,6 +151,15 @@ void Foam::flowSources::addCellSource(fv::option& o)
 
 void Foam::flowSources::add()
 {
+    // Options may be active for some time only
+    if (held_ >= 0 && options_[held_].isActive())
+    {
+        flow_.hold(axisOf(Ubar_), Ubar_[axisOf(Ubar_)]);
+    }
+    else
+    {
+        flow_.release();
+    }
     if (forcings_.empty() && explicit_.empty()) return;
 
     const auto timing(effects_.time("sources"));
@@ -163,7 +178,7 @@ void Foam::flowSources::add()
 
 void Foam::flowSources::report()
 {
-    if (held_ < 0) return;
+    if (held_ < 0 || !options_[held_].isActive()) return;
     Info << "Pressure gradient source: uncorrected Ubar = "
          << flow_.meanBefore()
          << ", pressure gradient = " << flow_.meanGradient() << endl;

@@ -38,8 +38,10 @@ struct Foam::fv::EswaranPopeForcing::state : public regIOobject
                 values.append(c.imag());
             }
         }
+        const int precision = os.precision(17);
         os.writeEntry("steps", forcing_.steps_);
         values.writeEntry("values", os);
+        os.precision(precision);
         return os.good();
     }
 };

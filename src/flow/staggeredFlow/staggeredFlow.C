@@ -37,16 +37,13 @@ Foam::string Foam::staggeredFlow::unsupported(const volVectorField& U,
     {
         const fvPatchVectorField& Ub = U.boundaryField()[patchi];
         const fvPatchScalarField& pb = p.boundaryField()[patchi];
-        if (Ub.coupled() || !Ub.size()) continue;
+        if (Ub.coupled()) continue;
 
         const string where = " on patch " + Ub.patch().name();
-        const vectorField n(Ub.patch().nf());
-        const scalar tolerance = VSMALL + 1e-8 * (Ub.size() ? max(mag(Ub)) : 0);
-        if (!isA<fixedValueFvPatchVectorField>(Ub) ||
-            mag(max(Ub) - min(Ub)) > tolerance || max(mag(Ub & n)) > tolerance)
+        if (!isA<fixedValueFvPatchVectorField>(Ub))
         {
-            reason = "of conditions for U it knows cyclic and fixedValue, "
-                     "uniform and tangential; it is " +
+            reason = "of conditions for U it knows cyclic and fixedValue; it "
+                     "is " +
                      Ub.type() + where;
         }
         if (!isA<zeroGradientFvPatchScalarField>(pb))
@@ -64,6 +61,66 @@ Foam::string Foam::staggeredFlow::unsupported(const volVectorField& U,
     for (const string& r : all)
     {
         if (!r.empty()) return r;
+    }
+    wallVelocities unused;
+    return readWalls(U, unused);
+}
+
+// Least and largest velocity of all faces of each side, on all ranks
+Foam::string Foam::staggeredFlow::readWalls(const volVectorField& U,
+                                            wallVelocities& walls)
+{
+    const uniformGrid& grid = uniformGrid::New(U.mesh());
+    const FixedList<vector, 2> start(vector(GREAT, GREAT, GREAT));
+    wallVelocities least(start), largest(start);
+    for (direction d = 0; d < 3; ++d)
+    {
+        largest[d] = FixedList<vector, 2>(vector(-GREAT, -GREAT, -GREAT));
+    }
+    for (const fvPatchVectorField& Ub : U.boundaryField())
+    {
+        if (Ub.coupled()) continue;
+        forAll(Ub, i)
+        {
+            const label facei = Ub.patch().start() + i;
+            const direction d = grid.faceDirection(facei);
+            const label side = grid.lowerSide(facei) ? 0 : 1;
+            least[d][side] = min(least[d][side], Ub[i]);
+            largest[d][side] = max(largest[d][side], Ub[i]);
+        }
+    }
+    for (direction d = 0; d < 3; ++d)
+    {
+        for (label side = 0; side < 2; ++side)
+        {
+            const vector lo(returnReduce(least[d][side], minOp<vector>()));
+            const vector hi(returnReduce(largest[d][side], maxOp<vector>()));
+            if (grid.periodic(d))
+            {
+                walls[d][side] = Zero;
+                continue;
+            }
+            walls[d][side] = hi;
+            const string where =
+                string(side ? " on the upper" : " on the lower") + " side in " +
+                vector::componentNames[d];
+            if (hi.x() < lo.x())
+            {
+                return "there is no velocity" + where;
+            }
+            const scalar tolerance = VSMALL + 1e-8 * max(mag(lo), mag(hi));
+            if (mag(hi - lo) > tolerance)
+            {
+                return "the velocity of a wall must be uniform, and it is not" +
+                       where;
+            }
+            if (mag(hi[d]) > tolerance)
+            {
+                return "the velocity of a wall must be tangential, and it is "
+                       "not" +
+                       where;
+            }
+        }
     }
     return string::null;
 }
@@ -184,7 +241,7 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
                         Ub.type() != fixedValueFvPatchVectorField::typeName);
     }
     reduce(wallsChange_, orOp<bool>());
-    walls_ = readWalls();
+    readWalls(U, walls_);
     wallsAhead_ = walls_;
 
     setViscosity(nu);
@@ -192,28 +249,6 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
 }
 
 Foam::staggeredFlow::~staggeredFlow() {}
-
-Foam::wallVelocities Foam::staggeredFlow::readWalls() const
-{
-    wallVelocities walls(FixedList<vector, 2>(vector(-GREAT, -GREAT, -GREAT)));
-    forAll(U_.boundaryField(), patchi)
-    {
-        const fvPatchVectorField& Ub = U_.boundaryField()[patchi];
-        if (Ub.coupled() || !Ub.size()) continue;
-        const label facei = Ub.patch().patch().start();
-        walls[grid_.faceDirection(facei)][grid_.lowerSide(facei) ? 0 : 1] =
-            Ub[0];
-    }
-    for (direction d = 0; d < 3; ++d)
-    {
-        for (vector& w : walls[d])
-        {
-            reduce(w, maxOp<vector>());
-            if (grid_.periodic(d)) w = Zero;
-        }
-    }
-    return walls;
-}
 
 void Foam::staggeredFlow::readState()
 {
@@ -235,6 +270,13 @@ void Foam::staggeredFlow::readState()
         hasLast_ = true;
     }
     if (!RK3_) history_.reset(new history(*this));
+
+    // The step that the last terms belong to: Time forgets it where deltaT is
+    // fixed
+    const IOdictionary time(IOobject("time", mesh_.time().timeName(), "uniform",
+                                     mesh_.time(), IOobject::READ_IF_PRESENT,
+                                     IOobject::NO_WRITE, false));
+    lastDt_ = time.getOrDefault<scalar>("deltaT", mesh_.time().deltaTValue());
 
     staggeredField& u = force_;
     grid_.toStaggered(phi_, u);
@@ -370,7 +412,8 @@ void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
     if (diffusion_ == "auto")
     {
         // Not back and forth where dt varies about the limit
-        explicit_ = number < (explicit_ || !hasLast_ ? 1 : 0.75) * limit;
+        explicit_ =
+            number < (explicit_ || !(chosen_ || hasLast_) ? 1 : 0.75) * limit;
     }
     else
     {
@@ -401,7 +444,7 @@ void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
     }
 }
 
-void Foam::staggeredFlow::step(const scalar dt, const scalar lastDt)
+void Foam::staggeredFlow::step(const scalar dt)
 {
     chooseDiffusion(dt);
 
@@ -413,7 +456,14 @@ void Foam::staggeredFlow::step(const scalar dt, const scalar lastDt)
             if (Ub.coupled()) continue;
             Ub.evaluate();
         }
-        wallsAhead_ = readWalls();
+        const string reason(readWalls(U_, wallsAhead_));
+        if (!reason.empty())
+        {
+            FatalIOErrorInFunction(controls_)
+                << "flowAlgorithm staggered cannot go on at time "
+                << mesh_.time().timeName() << ": " << reason.c_str()
+                << "; use flowAlgorithm pimple" << exit(FatalIOError);
+        }
     }
     const wallVelocities after(wallsAhead_);
     const auto wallsAt = [&](const scalar fraction)
@@ -431,7 +481,8 @@ void Foam::staggeredFlow::step(const scalar dt, const scalar lastDt)
     gradient_ = 0;
     if (!RK3_)
     {
-        const scalar c0 = hasLast_ ? -0.5 * dt / lastDt : 0;
+        const scalar c0 = hasLast_ ? -0.5 * dt / lastDt_ : 0;
+        lastDt_ = dt;
         hasLast_ = true;
         predict(dt, {1 - c0, c0, 1}, force_);
         project(dt);
