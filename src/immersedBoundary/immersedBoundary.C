@@ -99,11 +99,29 @@ Foam::immersedBoundary::route(const vectorField& X) const
     return lists;
 }
 
+// visit(first value of a row along x, weight of the row) for the points of
+// component d around a marker
+template<class Visit>
+void Foam::immersedBoundary::rows(const marker& m, const direction d,
+                                  Visit visit) const
+{
+    const labelVector& size = grid_.box().size;
+    const kernelStencil& sy = d == 1 ? m.face[1] : m.centre[1];
+    const kernelStencil& sz = d == 2 ? m.face[2] : m.centre[2];
+    for (label k = 0; k < sz.size; ++k)
+    {
+        for (label j = 0; j < sy.size; ++j)
+        {
+            visit(size.x() * (sy.at[j] + size.y() * sz.at[k]),
+                  sy.weight[j] * sz.weight[k]);
+        }
+    }
+}
+
 void Foam::immersedBoundary::gather(const vectorField& X,
                                     const staggeredField& u,
                                     vectorField& U) const
 {
-    const labelVector& size = grid_.box().size;
     marker m;
     forAll(X, markeri)
     {
@@ -111,23 +129,18 @@ void Foam::immersedBoundary::gather(const vectorField& X,
         for (direction d = 0; d < 3; ++d)
         {
             const kernelStencil& sx = d == 0 ? m.face[0] : m.centre[0];
-            const kernelStencil& sy = d == 1 ? m.face[1] : m.centre[1];
-            const kernelStencil& sz = d == 2 ? m.face[2] : m.centre[2];
+            const scalar* values = u[d].cdata();
             scalar sum = 0;
-            for (label k = 0; k < sz.size; ++k)
-            {
-                for (label j = 0; j < sy.size; ++j)
-                {
-                    const scalar w = sy.weight[j] * sz.weight[k];
-                    const scalar* row =
-                        u[d].cdata() +
-                        size.x() * (sy.at[j] + size.y() * sz.at[k]);
-                    for (label i = 0; i < sx.size; ++i)
-                    {
-                        sum += w * sx.weight[i] * row[sx.at[i]];
-                    }
-                }
-            }
+            rows(m, d,
+                 [&](const label row, const scalar weight)
+                 {
+                     scalar part = 0;
+                     for (label i = 0; i < sx.size; ++i)
+                     {
+                         part += sx.weight[i] * values[row + sx.at[i]];
+                     }
+                     sum += weight * part;
+                 });
             U[markeri][d] = sum;
         }
     }
@@ -136,7 +149,6 @@ void Foam::immersedBoundary::gather(const vectorField& X,
 void Foam::immersedBoundary::scatter(const vectorField& X, const vectorField& F,
                                      staggeredField& f) const
 {
-    const labelVector& size = grid_.box().size;
     const scalar perVolume = 1 / grid_.cellVolume();
     marker m;
     forAll(X, markeri)
@@ -145,22 +157,17 @@ void Foam::immersedBoundary::scatter(const vectorField& X, const vectorField& F,
         for (direction d = 0; d < 3; ++d)
         {
             const kernelStencil& sx = d == 0 ? m.face[0] : m.centre[0];
-            const kernelStencil& sy = d == 1 ? m.face[1] : m.centre[1];
-            const kernelStencil& sz = d == 2 ? m.face[2] : m.centre[2];
             const scalar density = F[markeri][d] * perVolume;
-            for (label k = 0; k < sz.size; ++k)
-            {
-                for (label j = 0; j < sy.size; ++j)
-                {
-                    const scalar w = density * sy.weight[j] * sz.weight[k];
-                    scalar* row = f[d].data() +
-                                  size.x() * (sy.at[j] + size.y() * sz.at[k]);
-                    for (label i = 0; i < sx.size; ++i)
-                    {
-                        row[sx.at[i]] += w * sx.weight[i];
-                    }
-                }
-            }
+            scalar* values = f[d].data();
+            rows(m, d,
+                 [&](const label row, const scalar weight)
+                 {
+                     for (label i = 0; i < sx.size; ++i)
+                     {
+                         values[row + sx.at[i]] +=
+                             density * weight * sx.weight[i];
+                     }
+                 });
         }
     }
 }

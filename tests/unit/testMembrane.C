@@ -3,6 +3,7 @@
 #include "unitTest.H"
 #include "IStringStream.H"
 #include "bending.H"
+#include <chrono>
 #include "membrane.H"
 
 using namespace Foam;
@@ -478,4 +479,55 @@ TEST(Bending, relaxation)
     }
     EXPECT_TRUE(falls);
     test::expectBelow("compressed sphere, energy left", last / start, 0.5);
+}
+
+// Run by tests/bench/membrane: microseconds of one load, with its transforms,
+// and the error beside it
+TEST(Membrane, DISABLED_cost)
+{
+    const auto microseconds = [](auto work)
+    {
+        // The least of batches: what the machine can do
+        double least = 1e30;
+        for (int batch = 0; batch < 20; ++batch)
+        {
+            const int n = 20;
+            const auto start = std::chrono::steady_clock::now();
+            for (int i = 0; i < n; ++i)
+            {
+                work();
+            }
+            const std::chrono::duration<double> used(
+                std::chrono::steady_clock::now() - start);
+            least = min(least, 1e6 * used.count() / n);
+        }
+        return least;
+    };
+    std::printf(
+        "    N  membrane  + bending  volume gradient  [microseconds]\n");
+    for (const int N : {8, 12, 16, 24, 32, 48})
+    {
+        const membrane m(neoHookean(N));
+        const sphericalHarmonics& grid = m.harmonics();
+        const bending b(makeBending(grid, "modulus 1;"));
+        const numbers x(roughShape(N));
+        numbers q(x.size()), t(3 * grid.nPoints()), p(t.size());
+        const double load = microseconds([&]() { m.load(x.data(), q.data()); });
+        const double bend =
+            microseconds([&]() { b.addLoad(x.data(), q.data()); });
+        const double volume = microseconds(
+            [&]()
+            {
+                grid.gradient(x.data(), t.data(), p.data());
+                grid.analysis(t.data(), q.data());
+            });
+        std::printf("    %2d  %8.1f  %9.1f  %15.1f\n", N, load, load + bend,
+                    volume);
+        if (N == 16)
+        {
+            test::expectBelow("N = 16, membrane, microseconds", load, 80);
+            test::expectBelow("N = 16, with bending, microseconds", load + bend,
+                              240);
+        }
+    }
 }

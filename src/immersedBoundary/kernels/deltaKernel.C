@@ -38,20 +38,46 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
     const scalar position = periodic ? x - offset
                                      : min(max(x - offset, first - scalar(0.5)),
                                            last + scalar(0.5));
-    const label lowest = label(std::ceil(position - reach()));
-    const label nPoints = type_ == Roma3 ? 3 : 4;
+    label lowest, nPoints;
+    FixedList<scalar, 4> weight;
+    if (type_ == Roma3)
+    {
+        // The weights beside the middle one follow from unit sum and zero
+        // first moment
+        lowest = label(std::floor(position + 0.5)) - 1;
+        nPoints = 3;
+        const scalar r = position - (lowest + 1);
+        weight[1] = phi(r);
+        weight[0] = 0.5 * (1 - weight[1] - r);
+        weight[2] = 0.5 * (1 - weight[1] + r);
+    }
+    else
+    {
+        lowest = label(std::ceil(position - reach()));
+        nPoints = 4;
+        for (label k = 0; k < nPoints; ++k)
+        {
+            weight[k] = phi(position - (lowest + k));
+        }
+    }
 
     s.size = 0;
     bool cut = false;
-    for (label i = lowest; i < lowest + nPoints; ++i)
+    label i = lowest;
+    if (periodic && (i < 0 || i >= n)) i = ((i % n) + n) % n;
+    for (label k = 0; k < nPoints; ++k, ++i)
     {
-        if (!periodic && (i < first || i > last))
+        if (periodic)
+        {
+            if (i == n) i = 0;
+        }
+        else if (i < first || i > last)
         {
             cut = true;
             continue;
         }
-        s.at[s.size] = periodic ? ((i % n) + n) % n : i;
-        s.weight[s.size] = phi(position - i);
+        s.at[s.size] = i;
+        s.weight[s.size] = weight[k];
         ++s.size;
     }
     if (!cut) return;
