@@ -155,6 +155,9 @@ TEST(Forcing, refusesWrongInput)
     };
     expectIn(refusal(cube, stirring), "less than half the number of cells");
     expectIn(refusal(walls, stirring), "periodic in all directions");
+    expectIn(refusal(cube, "type EswaranPopeForcing; acceleration 1; "
+                           "timeScale 1; maxWaveNmber 1;"),
+             "unknown entry maxWaveNmber");
     expectIn(refusal(cube, "type EswaranPopeForcing; acceleration -1; "
                            "timeScale 1; maxWaveNumber 1;"),
              "numbers greater than 0");

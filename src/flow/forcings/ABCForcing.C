@@ -16,7 +16,8 @@ addToRunTimeSelectionTable(option, ABCForcing, dictionary);
 
 Foam::fv::ABCForcing::ABCForcing(const word& name, const word& modelType,
                                  const dictionary& dict, const fvMesh& mesh)
-    : lowModeForcing(name, modelType, dict, mesh)
+    : lowModeForcing(name, modelType, dict, mesh,
+                     {"velocity", "waveNumber", "A", "B", "C"})
 {
     const vector L(grid_.length());
     if (cmptMax(L) - cmptMin(L) > 1e-6 * cmptMax(L))

@@ -50,7 +50,8 @@ Foam::fv::EswaranPopeForcing::EswaranPopeForcing(const word& name,
                                                  const word& modelType,
                                                  const dictionary& dict,
                                                  const fvMesh& mesh)
-    : lowModeForcing(name, modelType, dict, mesh),
+    : lowModeForcing(name, modelType, dict, mesh,
+                     {"acceleration", "timeScale", "maxWaveNumber", "seed"}),
       timeScale_(readPositive(coeffs_, "timeScale", dimTime)),
       seed_(coeffs_.getOrDefault<label>("seed", 1))
 {

@@ -15,11 +15,15 @@ defineTypeNameAndDebug(lowModeForcing, 0);
 Foam::fv::lowModeForcing::lowModeForcing(const word& name,
                                          const word& modelType,
                                          const dictionary& dict,
-                                         const fvMesh& mesh)
+                                         const fvMesh& mesh,
+                                         const wordList& entries)
     : option(name, modelType, dict, mesh),
       extent_(labelVector::zero),
       grid_(uniformGrid::New(mesh))
 {
+    wordList allowed({"type", "active", "libs", "U"});
+    allowed.append(entries);
+    checkEntries(coeffs_, allowed);
     fieldNames_.setSize(1, coeffs_.getOrDefault<word>("U", "U"));
     applied_.setSize(1, false);
     grid_.require(dict_, modelType);
