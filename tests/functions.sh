@@ -75,24 +75,26 @@ parallel()
         mpi -np "$1" "$3" -parallel > "log.$3" 2>&1
 }
 
-# difference <file> <file> [from time]: largest difference of two .dat files
-# over the rows of equal time and body, relative to the largest value of the
-# column (columns that are zero to round-off count absolutely)
+# difference <file> <file> [table]: largest difference of two .dat files over
+# the rows of equal time and body, relative to the largest value of the column
+# (columns that are zero to round-off count absolutely). table: rows of equal
+# time, all columns relative
 difference()
 {
     "$DEFORMABLE_BODIES_DIR/bin/python" - "$@" <<'END'
 import sys
 import numpy as np
 a, b = (np.loadtxt(f, ndmin=2) for f in sys.argv[1:3])
-key = lambda r: (round(r[0], 9), int(r[1]))
+keys, floor = (1, 0) if sys.argv[3:] == ["table"] else (2, 1)
+key = lambda r: (round(r[0], 9), *r[1:keys])
 rows = {key(r): r for r in b}
 common = [(r, rows[key(r)]) for r in a if key(r) in rows]
 # A run that broke off is no agreement
 if not common or a[-1][0] != b[-1][0]:
     print("nan")
     sys.exit()
-x, y = (np.array(v)[:, 2:] for v in zip(*common))
-print("%.2e" % (np.abs(x - y) / np.maximum(np.abs(x).max(0), 1)).max())
+x, y = (np.array(v)[:, keys:] for v in zip(*common))
+print("%.2e" % (np.abs(x - y) / np.maximum(np.abs(x).max(0), floor)).max())
 END
 }
 

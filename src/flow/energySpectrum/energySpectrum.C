@@ -54,12 +54,8 @@ bool Foam::functionObjects::energySpectrum::read(const dictionary& dict)
                  IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false));
     nu_ = readPositive(dict.found("nu") ? dict : transport, "nu", dimViscosity);
 
-    List<labelVector> cells(grid_.index().size());
-    forAll(cells, celli)
-    {
-        cells[celli] = grid_.ijk(celli);
-    }
-    transform_.reset(new planeTransform(grid_, sides, cells, grid_.index()));
+    transform_.reset(
+        new planeTransform(grid_, sides, grid_.cells(), grid_.index()));
     dk_ = constant::mathematical::twoPi / cmptMax(grid_.length());
     return true;
 }

@@ -6,11 +6,6 @@ Foam::implicitDiffusion::implicitDiffusion(const uniformGrid& grid,
                                            const bool byFFT)
     : grid_(grid)
 {
-    List<labelVector> cells(byFFT ? grid.box().count() : 0);
-    forAll(cells, i)
-    {
-        cells[i] = grid.box().cell(i);
-    }
     for (direction c = 0; c < 3; ++c)
     {
         FixedList<sideConditions, 3> sides;
@@ -22,7 +17,11 @@ Foam::implicitDiffusion::implicitDiffusion(const uniformGrid& grid,
                 !grid.periodic(d) && c != d;
             if (!byFFT) lines_[c][d].reset(new lineSolver(grid, d, c == d));
         }
-        if (byFFT) transforms_[c].reset(new fastHelmholtz(grid, sides, cells));
+        if (byFFT)
+        {
+            transforms_[c].reset(
+                new fastHelmholtz(grid, sides, grid.cells(), grid.index()));
+        }
     }
 }
 

@@ -3,127 +3,6 @@
 #include "staggeredFlow.H"
 #include "dictionaryChecks.H"
 #include "fixedValueFvPatchFields.H"
-#include "zeroGradientFvPatchFields.H"
-
-Foam::string Foam::staggeredFlow::unsupported(const volVectorField& U,
-                                              const volScalarField& p)
-{
-    const uniformGrid& grid = uniformGrid::New(U.mesh());
-    if (!grid.valid()) return "the mesh is no uniform box: " + grid.reason();
-
-    const bool whole = grid.index().size() == grid.box().count();
-    if (!returnReduce(whole && grid.index().size(), andOp<bool>()))
-    {
-        return "the decomposition is not one of rectangular blocks (method "
-               "simple or hierarchical)";
-    }
-
-    if (!lineSolver::aligned(grid))
-    {
-        return "the blocks of the ranks are not aligned";
-    }
-
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (grid.n()[d] < 3)
-        {
-            return "there are fewer than three cells in direction " +
-                   string(vector::componentNames[d]);
-        }
-    }
-
-    string reason;
-    forAll(U.boundaryField(), patchi)
-    {
-        const fvPatchVectorField& Ub = U.boundaryField()[patchi];
-        const fvPatchScalarField& pb = p.boundaryField()[patchi];
-        if (Ub.coupled()) continue;
-
-        const string where = " on patch " + Ub.patch().name();
-        if (!isA<fixedValueFvPatchVectorField>(Ub))
-        {
-            reason = "of conditions for U it knows cyclic and fixedValue; it "
-                     "is " +
-                     Ub.type() + where;
-        }
-        if (!isA<zeroGradientFvPatchScalarField>(pb))
-        {
-            reason = "of conditions for p it knows cyclic and zeroGradient; "
-                     "it is " +
-                     pb.type() + where;
-        }
-    }
-    // Some rank's reason for all
-    List<string> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = reason;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-    for (const string& r : all)
-    {
-        if (!r.empty()) return r;
-    }
-    wallVelocities unused;
-    return readWalls(U, unused);
-}
-
-// Least and largest velocity of all faces of each side, on all ranks
-Foam::string Foam::staggeredFlow::readWalls(const volVectorField& U,
-                                            wallVelocities& walls)
-{
-    const uniformGrid& grid = uniformGrid::New(U.mesh());
-    const FixedList<vector, 2> start(vector(GREAT, GREAT, GREAT));
-    wallVelocities least(start), largest(start);
-    for (direction d = 0; d < 3; ++d)
-    {
-        largest[d] = FixedList<vector, 2>(vector(-GREAT, -GREAT, -GREAT));
-    }
-    for (const fvPatchVectorField& Ub : U.boundaryField())
-    {
-        if (Ub.coupled()) continue;
-        forAll(Ub, i)
-        {
-            const label facei = Ub.patch().start() + i;
-            const direction d = grid.faceDirection(facei);
-            const label side = grid.lowerSide(facei) ? 0 : 1;
-            least[d][side] = min(least[d][side], Ub[i]);
-            largest[d][side] = max(largest[d][side], Ub[i]);
-        }
-    }
-    for (direction d = 0; d < 3; ++d)
-    {
-        for (label side = 0; side < 2; ++side)
-        {
-            const vector lo(returnReduce(least[d][side], minOp<vector>()));
-            const vector hi(returnReduce(largest[d][side], maxOp<vector>()));
-            if (grid.periodic(d))
-            {
-                walls[d][side] = Zero;
-                continue;
-            }
-            walls[d][side] = hi;
-            const string where =
-                string(side ? " on the upper" : " on the lower") + " side in " +
-                vector::componentNames[d];
-            if (hi.x() < lo.x())
-            {
-                return "there is no velocity" + where;
-            }
-            const scalar tolerance = VSMALL + 1e-8 * max(mag(lo), mag(hi));
-            if (mag(hi - lo) > tolerance)
-            {
-                return "the velocity of a wall must be uniform, and it is not" +
-                       where;
-            }
-            if (mag(hi[d]) > tolerance)
-            {
-                return "the velocity of a wall must be tangential, and it is "
-                       "not" +
-                       where;
-            }
-        }
-    }
-    return string::null;
-}
 
 // last_ as an OpenFOAM field, made only when it is written
 struct Foam::staggeredFlow::history : public regIOobject
@@ -216,14 +95,12 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
 
     // First, as making it takes memory for a moment
     {
-        List<labelVector> cells(box_.count());
-        labelList places(box_.count());
-        forAll(cells, i)
+        labelList places(grid_.index().size());
+        forAll(places, celli)
         {
-            cells[i] = box_.cell(i);
-            places[i] = block_.place(cells[i] - box_.lo);
+            places[celli] = block_.placeOf(celli);
         }
-        poisson_.reset(new fastHelmholtz(grid_, sides, cells, places));
+        poisson_.reset(new fastHelmholtz(grid_, sides, grid_.cells(), places));
     }
     for (direction d = 0; d < 3; ++d)
     {
@@ -282,11 +159,10 @@ void Foam::staggeredFlow::readState()
     grid_.toStaggered(phi_, u);
     forAll(grid_.index(), celli)
     {
-        const label n = grid_.index()[celli];
-        const label q = block_.place(box_.cell(n) - box_.lo);
+        const label q = block_.placeOf(celli);
         for (direction d = 0; d < 3; ++d)
         {
-            u_[d][q] = u[d][n];
+            u_[d][q] = u[d][grid_.index()[celli]];
         }
         pressure_[q] = p_[celli];
     }
@@ -301,8 +177,7 @@ void Foam::staggeredFlow::setViscosity(const volScalarField& nu)
     nu_.resize(block_.size());
     forAll(grid_.index(), celli)
     {
-        nu_[block_.place(box_.cell(grid_.index()[celli]) - box_.lo)] =
-            nu[celli];
+        nu_[block_.placeOf(celli)] = nu[celli];
     }
     block_.update(nu_.data());
     block_.extend(nu_.data());
@@ -384,8 +259,7 @@ void Foam::staggeredFlow::addCells(const vectorField& cells,
     {
         forAll(cells, celli)
         {
-            const labelVector l(box_.cell(grid_.index()[celli]) - box_.lo);
-            correction_[block_.place(l)] = 0.5 * factor * cells[celli][d];
+            correction_[block_.placeOf(celli)] = 0.5 * factor * cells[celli][d];
         }
         block_.update(correction_.data());
         block_.extend(correction_.data());

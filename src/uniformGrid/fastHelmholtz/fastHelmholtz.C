@@ -216,12 +216,7 @@ Foam::fastHelmholtzCache::get(const FixedList<sideConditions, 3>& sides) const
         if (entry.first == code) return *entry.second;
     }
     const uniformGrid& grid = uniformGrid::New(this->mesh_);
-    List<labelVector> cells(grid.index().size());
-    forAll(cells, celli)
-    {
-        cells[celli] = grid.ijk(celli);
-    }
     kept_.emplace_back(code, std::unique_ptr<fastHelmholtz>(
-                                 new fastHelmholtz(grid, sides, cells)));
+                                 new fastHelmholtz(grid, sides, grid.cells())));
     return *kept_.back().second;
 }

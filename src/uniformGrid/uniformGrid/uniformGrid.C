@@ -273,6 +273,16 @@ void Foam::uniformGrid::toFlux(const staggeredField& u,
     }
 }
 
+Foam::List<Foam::labelVector> Foam::uniformGrid::cells() const
+{
+    List<labelVector> all(index_.size());
+    forAll(all, celli)
+    {
+        all[celli] = ijk(celli);
+    }
+    return all;
+}
+
 Foam::List<Foam::cellBox> Foam::uniformGrid::allBoxes() const
 {
     List<labelList> corners(Pstream::nProcs());

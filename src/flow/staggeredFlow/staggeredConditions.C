@@ -1,0 +1,127 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+// Which meshes and boundary conditions the algorithm can run
+
+#include "staggeredFlow.H"
+#include "fixedValueFvPatchFields.H"
+#include "zeroGradientFvPatchFields.H"
+
+Foam::string Foam::staggeredFlow::unsupported(const volVectorField& U,
+                                              const volScalarField& p)
+{
+    const uniformGrid& grid = uniformGrid::New(U.mesh());
+    if (!grid.valid()) return "the mesh is no uniform box: " + grid.reason();
+
+    const bool whole = grid.index().size() == grid.box().count();
+    if (!returnReduce(whole && grid.index().size(), andOp<bool>()))
+    {
+        return "the decomposition is not one of rectangular blocks (method "
+               "simple or hierarchical)";
+    }
+
+    if (!lineSolver::aligned(grid))
+    {
+        return "the blocks of the ranks are not aligned";
+    }
+
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (grid.n()[d] < 3)
+        {
+            return "there are fewer than three cells in direction " +
+                   string(vector::componentNames[d]);
+        }
+    }
+
+    string reason;
+    forAll(U.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& Ub = U.boundaryField()[patchi];
+        const fvPatchScalarField& pb = p.boundaryField()[patchi];
+        if (Ub.coupled()) continue;
+
+        const string where = " on patch " + Ub.patch().name();
+        if (!isA<fixedValueFvPatchVectorField>(Ub))
+        {
+            reason = "of conditions for U it knows cyclic and fixedValue; it "
+                     "is " +
+                     Ub.type() + where;
+        }
+        if (!isA<zeroGradientFvPatchScalarField>(pb))
+        {
+            reason = "of conditions for p it knows cyclic and zeroGradient; "
+                     "it is " +
+                     pb.type() + where;
+        }
+    }
+    // Some rank's reason for all
+    List<string> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = reason;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+    for (const string& r : all)
+    {
+        if (!r.empty()) return r;
+    }
+    wallVelocities unused;
+    return readWalls(U, unused);
+}
+
+// Least and largest velocity of all faces of each side, on all ranks
+Foam::string Foam::staggeredFlow::readWalls(const volVectorField& U,
+                                            wallVelocities& walls)
+{
+    const uniformGrid& grid = uniformGrid::New(U.mesh());
+    const FixedList<vector, 2> start(vector(GREAT, GREAT, GREAT));
+    wallVelocities least(start), largest(start);
+    for (direction d = 0; d < 3; ++d)
+    {
+        largest[d] = FixedList<vector, 2>(vector(-GREAT, -GREAT, -GREAT));
+    }
+    for (const fvPatchVectorField& Ub : U.boundaryField())
+    {
+        if (Ub.coupled()) continue;
+        forAll(Ub, i)
+        {
+            const label facei = Ub.patch().start() + i;
+            const direction d = grid.faceDirection(facei);
+            const label side = grid.lowerSide(facei) ? 0 : 1;
+            least[d][side] = min(least[d][side], Ub[i]);
+            largest[d][side] = max(largest[d][side], Ub[i]);
+        }
+    }
+    for (direction d = 0; d < 3; ++d)
+    {
+        for (label side = 0; side < 2; ++side)
+        {
+            const vector lo(returnReduce(least[d][side], minOp<vector>()));
+            const vector hi(returnReduce(largest[d][side], maxOp<vector>()));
+            if (grid.periodic(d))
+            {
+                walls[d][side] = Zero;
+                continue;
+            }
+            walls[d][side] = hi;
+            const string where =
+                string(side ? " on the upper" : " on the lower") + " side in " +
+                vector::componentNames[d];
+            if (hi.x() < lo.x())
+            {
+                return "there is no velocity" + where;
+            }
+            const scalar tolerance = VSMALL + 1e-8 * max(mag(lo), mag(hi));
+            if (mag(hi - lo) > tolerance)
+            {
+                return "the velocity of a wall must be uniform, and it is not" +
+                       where;
+            }
+            if (mag(hi[d]) > tolerance)
+            {
+                return "the velocity of a wall must be tangential, and it is "
+                       "not" +
+                       where;
+            }
+        }
+    }
+    return string::null;
+}
