@@ -110,6 +110,25 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                          " kernel at face centres");
     effects_.declare("spreading", feedback,
                      feedback ? "loads act on the fluid" : "coupling oneWay");
+    scalarList ratios(groups_.size());
+    forAll(groups_, g)
+    {
+        ratios[g] = groups_[g].viscosityRatio();
+    }
+    if (ratios != scalarList(groups_.size(), scalar(1)))
+    {
+        const word model(transport.get<word>("transportModel"));
+        if (model != "Newtonian")
+        {
+            refuse(transport, "transportModel", model,
+                   "Newtonian where bodies have a viscosityRatio");
+        }
+        contrast_.reset(new viscosityContrast(mesh_, nu, ratios));
+    }
+    effects_.declare("viscosityRatio", bool(contrast_),
+                     contrast_ ? "up to " + Foam::name(max(ratios)) +
+                                     ", down to " + Foam::name(min(ratios))
+                               : string("same fluid inside"));
     effects_.declare("interactions", false, "none given");
 
     label n = 0;
@@ -197,6 +216,8 @@ void Foam::bodyCollection::advance(staggeredField& faces)
         boundary_->interpolate(X_, faces, U_);
     }
 
+    if (contrast_) updateViscosity(faces);
+
     label at = 0, used = 0;
     string trouble;
     forAll(groups_, g)
@@ -229,6 +250,33 @@ void Foam::bodyCollection::advance(staggeredField& faces)
     }
 
     if (time.timeIndex() % sampleInterval_ == 0) sample(time.value());
+}
+
+void Foam::bodyCollection::updateViscosity(staggeredField& work)
+{
+    const auto timing(effects_.time("viscosityRatio"));
+    label at = 0, used = 0;
+    scalar excess = 0;
+    vectorField X(X_.size()), G(X_.size());
+    forAll(groups_, g)
+    {
+        const bodyGroup& group = groups_[g];
+        const label n = group.nMarkers();
+        const scalar more = group.viscosityRatio() - 1;
+        if (more != 0)
+        {
+            SubField<vector>(X, n, used) = SubField<vector>(X_, n, at);
+            SubField<vector> dS(G, n, used);
+            group.areas(dS.data());
+            dS *= -more;
+            excess += more * group.volume();
+            used += n;
+        }
+        at += n;
+    }
+    X.setSize(used);
+    G.setSize(used);
+    contrast_->update(*boundary_, X, G, excess, work);
 }
 
 bool Foam::bodyCollection::periodicBox() const

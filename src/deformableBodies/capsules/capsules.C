@@ -20,7 +20,10 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
                         "dealiasing", "markerSpacing", "shearPlane", "coupling",
                         "bending", "viscosityRatio", "prestress", "gravity",
                         "densityRatio", "stressFree", "motion"});
-    requireNeutral(dict, "viscosityRatio", 1);
+    if (dict.found("viscosityRatio"))
+    {
+        viscosityRatio_ = readPositive(dict, "viscosityRatio", dimless);
+    }
 
     const label degree = byAccuracy<label>(dict, "harmonics", 12, 16, 24);
     if (degree < 4 || degree > 64)
@@ -138,7 +141,8 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
     const membraneModel& law = membrane_->model();
     stabilised_.reset(new stabilisedMotion(
         *markerGrid_, 0.25 * (law.shearModulus() + law.areaModulus()),
-        bending_ ? bending_->modulus() : 0, scene.mu, radius_));
+        bending_ ? bending_->modulus() : 0,
+        0.5 * (1 + viscosityRatio_) * scene.mu, radius_));
     fastest_ = stabilised_->fastest();
     if (motion == "explicit")
     {
@@ -185,7 +189,6 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
     scene_.effects.declare("gravity", weight_ != vector::zero,
                            weight_ != vector::zero ? "weight of the filling"
                                                    : "none on the bodies");
-    scene_.effects.declare("viscosityRatio", false, "same fluid inside");
 }
 
 void Foam::capsules::checkFits(const dictionary& dict, const label body,
@@ -244,6 +247,33 @@ void Foam::capsules::markers(vector* X) const
         atMarkers(c.x, X, 1);
         X += markerGrid_->nPoints();
     }
+}
+
+void Foam::capsules::areas(const numbers& coeffs, vector* dS) const
+{
+    const label n = markerGrid_->nPoints();
+    numbers t(3 * n), p(3 * n);
+    markerGrid_->gradient(coeffs.data(), t.data(), p.data());
+    for (label k = 0; k < n; ++k)
+    {
+        const vector xt(t[k], t[n + k], t[2 * n + k]);
+        const vector xp(p[k], p[n + k], p[2 * n + k]);
+        dS[k] = markerGrid_->weight(k) * (xt ^ xp);
+    }
+}
+
+void Foam::capsules::areas(vector* dS) const
+{
+    for (const capsule& c : capsules_)
+    {
+        areas(c.x, dS);
+        dS += markerGrid_->nPoints();
+    }
+}
+
+Foam::scalar Foam::capsules::volume() const
+{
+    return capsules_.size() * referenceVolume_;
 }
 
 void Foam::capsules::volumeGradient(const numbers& x, numbers& g) const
@@ -348,15 +378,12 @@ void Foam::capsules::addWeight(const capsule& c, const vector* X,
 {
     const auto timing(scene_.effects.time("gravity"));
     const label n = markerGrid_->nPoints();
-    numbers t(3 * n), p(3 * n);
-    markerGrid_->gradient(c.xMid.data(), t.data(), p.data());
+    vectorField dS(n);
+    areas(c.xMid, dS.data());
     const vector centre(average(UList<vector>(const_cast<vector*>(X), n)));
     for (label k = 0; k < n; ++k)
     {
-        const vector xt(t[k], t[n + k], t[2 * n + k]);
-        const vector xp(p[k], p[n + k], p[2 * n + k]);
-        F[k] +=
-            markerGrid_->weight(k) * (weight_ & (X[k] - centre)) * (xt ^ xp);
+        F[k] += (weight_ & (X[k] - centre)) * dS[k];
     }
 }
 

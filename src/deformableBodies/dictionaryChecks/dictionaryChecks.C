@@ -33,14 +33,3 @@ Foam::scalar Foam::readPositive(const dictionary& dict, const word& name,
     }
     return value;
 }
-
-void Foam::requireNeutral(const dictionary& dict, const word& name,
-                          const scalar neutral)
-{
-    const scalar value = dict.getOrDefault<scalar>(name, neutral);
-    if (value != neutral)
-    {
-        refuse(dict, name, Foam::name(value),
-               Foam::name(neutral) + "; other values are not available yet");
-    }
-}

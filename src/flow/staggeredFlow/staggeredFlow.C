@@ -169,9 +169,10 @@ void Foam::staggeredFlow::readState()
     block_.update(pressure_.data());
 }
 
-void Foam::staggeredFlow::setViscosity(const volScalarField& nu)
+void Foam::staggeredFlow::setViscosity(const volScalarField& nu,
+                                       const scalar highest)
 {
-    nuMax_ = gMax(nu.primitiveField());
+    nuMax_ = max(highest, gMax(nu.primitiveField()));
     if (nuMax_ - gMin(nu.primitiveField()) <= 1e-12 * nuMax_) return;
 
     nu_.resize(block_.size());

@@ -1,0 +1,68 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "viscosityContrast.H"
+#include "fvcDiv.H"
+
+namespace
+{
+using namespace Foam;
+
+fastHelmholtz& zeroOnWalls(const fvMesh& mesh, const uniformGrid& grid)
+{
+    FixedList<sideConditions, 3> sides;
+    for (direction d = 0; d < 3; ++d)
+    {
+        sides[d].periodic = grid.periodic(d);
+        sides[d].lowerDirichlet = sides[d].upperDirichlet = !grid.periodic(d);
+    }
+    return fastHelmholtzCache::New(mesh).get(sides);
+}
+} // namespace
+
+Foam::viscosityContrast::viscosityContrast(const fvMesh& mesh, const scalar nu0,
+                                           const scalarList& ratios)
+    : mesh_(mesh),
+      grid_(uniformGrid::New(mesh)),
+      nu0_(nu0),
+      lowest_(nu0 * min(scalar(1), min(ratios))),
+      highest_(nu0 * max(scalar(1), max(ratios))),
+      poisson_(zeroOnWalls(mesh, grid_))
+{
+}
+
+void Foam::viscosityContrast::update(const immersedBoundary& boundary,
+                                     const vectorField& X, const vectorField& G,
+                                     const scalar excess,
+                                     staggeredField& work) const
+{
+    volScalarField& nu = mesh_.lookupObjectRef<volScalarField>("nu");
+    nu.writeOpt() = IOobject::AUTO_WRITE;
+
+    work.clear();
+    boundary.spread(X, G, work);
+    surfaceScalarField flux(IOobject("G", mesh_.time().timeName(), mesh_),
+                            mesh_, dimensionedScalar(dimVolume, Zero));
+    flux.setOriented();
+    grid_.toFlux(work, flux);
+
+    scalarField I(-fvc::div(flux)().primitiveField());
+    FixedList<scalar, 3> inverseSqr;
+    for (direction d = 0; d < 3; ++d)
+    {
+        inverseSqr[d] = 1 / sqr(grid_.h()[d]);
+    }
+    poisson_.solve(I.data(), I.cdata(), 0, inverseSqr);
+
+    // Without walls the mean of the solution is zero
+    const vector L(grid_.length());
+    const scalar mean = poisson_.singular(0)
+                            ? returnReduce(excess, sumOp<scalar>()) /
+                                  (L.x() * L.y() * L.z())
+                            : 0;
+    forAll(I, celli)
+    {
+        nu[celli] =
+            min(max(nu0_ * (1 + mean + I[celli]), lowest_), highest_);
+    }
+    nu.correctBoundaryConditions();
+}
