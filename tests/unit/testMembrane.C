@@ -297,7 +297,7 @@ TEST(Bending, againstTheShearOfMeanCurvature)
     const numbers x(roughShape(N));
     numbers q(x.size(), 0), c(n), H(3 * n, 0), h(x.size());
     b.addLoad(x.data(), q.data());
-    b.curvature(x.data(), c.data());
+    bending::curvature(grid, x.data(), c.data());
     std::copy(c.begin(), c.end(), H.begin());
     grid.analysis(H.data(), h.data());
 

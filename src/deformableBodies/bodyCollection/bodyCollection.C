@@ -65,12 +65,10 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                  {"FoamFile", "variables", "bodies", "sampleInterval",
                   "accuracy", "kernel", "coupling", "interactions", "loads"});
 
-    for (const word name : {"interactions", "loads"})
+    if (!dict.subOrEmptyDict("interactions").empty())
     {
-        if (dict.found(name) && !dict.subDict(name).empty())
-        {
-            refuse(dict, name, "{...}", "an empty one; not available yet");
-        }
+        refuse(dict, "interactions", "{...}",
+               "an empty one; not available yet");
     }
 
     sampleInterval_ = dict.getOrDefault<label>("sampleInterval", 1);
@@ -130,6 +128,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                                      ", down to " + Foam::name(min(ratios))
                                : string("same fluid inside"));
     effects_.declare("interactions", false, "none given");
+    readLoads(dict.subOrEmptyDict("loads"));
 
     label n = 0;
     forAll(groups_, g)
@@ -139,6 +138,30 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     X_.setSize(n);
     U_.setSize(n);
     F_.setSize(n);
+}
+
+void Foam::bodyCollection::readLoads(const dictionary& loads)
+{
+    for (const word& name : loads.toc())
+    {
+        const dictionary& load = loads.subDict(name);
+        const word group(load.get<word>("group"));
+        wordList all(groups_.size());
+        forAll(groups_, g)
+        {
+            all[g] = groups_[g].name();
+            if (all[g] == group) groups_[g].addLoad(name, load);
+        }
+        if (!all.found(group))
+        {
+            OStringStream allowed;
+            allowed << flatOutput(all);
+            refuse(load, "group", group, allowed.str());
+        }
+    }
+    effects_.declare("loads", !loads.empty(),
+                     loads.empty() ? string("none given")
+                                   : string(loads.toc()[0]));
 }
 
 Foam::vector Foam::bodyCollection::readGravity() const
@@ -229,7 +252,8 @@ void Foam::bodyCollection::advance(staggeredField& faces)
 
         if (group.twoWay())
         {
-            group.loads(X_.data() + used, F_.data() + used);
+            group.loads(X_.data() + used, F_.data() + used,
+                        time.value() - 0.5 * time.deltaTValue());
             used += group.nMarkers();
         }
     }

@@ -51,6 +51,11 @@ Foam::autoPtr<Foam::bodyGroup> Foam::bodyGroup::New(const word& name,
     return cstr()(name, dict, scene);
 }
 
+void Foam::bodyGroup::addLoad(const word& name, const dictionary& dict)
+{
+    refuse(dict, "group", name_, "a group of bodies that takes loads");
+}
+
 Foam::pointField Foam::bodyGroup::readPositions(const dictionary& dict) const
 {
     const pointField positions(dict.lookup("positions"));

@@ -20,24 +20,34 @@ struct pointGeometry
 };
 } // namespace
 
+void Foam::bending::derivatives::fill(const sphericalHarmonics& grid,
+                                      const double* coeffs)
+{
+    for (std::vector<double>* v : {&t, &p, &tt, &tp, &pp})
+    {
+        v->resize(3 * grid.nPoints());
+    }
+    grid.gradient(coeffs, t.data(), p.data());
+    grid.hessian(coeffs, tt.data(), tp.data(), pp.data());
+}
+
 // point(k, geometry) at all points of the grid
 template<class Point>
-void Foam::bending::each(const double* coeffs, Point point) const
+void Foam::bending::each(const sphericalHarmonics& grid, const derivatives& d,
+                         Point point)
 {
-    harmonics_.gradient(coeffs, t_.data(), p_.data());
-    harmonics_.hessian(coeffs, tt_.data(), tp_.data(), pp_.data());
-    const label n = harmonics_.nPoints();
+    const label n = grid.nPoints();
     const auto at = [n](const std::vector<double>& v, const label k)
     { return vector(v[k], v[n + k], v[2 * n + k]); };
 
     pointGeometry g;
     for (label k = 0; k < n; ++k)
     {
-        g.x[0] = at(t_, k);
-        g.x[1] = at(p_, k);
-        g.H[0][0] = at(tt_, k);
-        g.H[0][1] = g.H[1][0] = at(tp_, k);
-        g.H[1][1] = at(pp_, k);
+        g.x[0] = at(d.t, k);
+        g.x[1] = at(d.p, k);
+        g.H[0][0] = at(d.tt, k);
+        g.H[0][1] = g.H[1][0] = at(d.tp, k);
+        g.H[1][1] = at(d.pp, k);
         const vector area(g.x[0] ^ g.x[1]);
         g.J = mag(area);
         g.n = area / g.J;
@@ -72,11 +82,6 @@ Foam::bending::bending(const dictionary& dict,
 {
     checkEntries(dict, {"modulus", "reference"});
     const label n = harmonics_.nPoints();
-    for (std::vector<double>* v : {&t_, &p_, &tt_, &tp_, &pp_})
-    {
-        v->resize(3 * n);
-    }
-
     const token first(dict.found("reference")
                           ? token(dict.lookup("reference")[0])
                           : token(word("sphere")));
@@ -91,7 +96,8 @@ Foam::bending::bending(const dictionary& dict,
     }
     else if (first.isWord() && first.wordToken() == "initial")
     {
-        each(initial.data(),
+        d_.fill(harmonics_, initial.data());
+        each(harmonics_, d_,
              [&](const label k, const pointGeometry& g)
              {
                  for (int i = 0; i < 4; ++i)
@@ -115,7 +121,8 @@ Foam::bending::bending(const dictionary& dict,
 void Foam::bending::addLoad(const double* coeffs, double* q) const
 {
     const label n = harmonics_.nPoints();
-    each(coeffs,
+    d_.fill(harmonics_, coeffs);
+    each(harmonics_, d_,
          [&](const label k, const pointGeometry& g)
          {
              // M^ab, and sym(M^am b_m^b)
@@ -165,17 +172,17 @@ void Foam::bending::addLoad(const double* coeffs, double* q) const
              }
              for (direction c = 0; c < 3; ++c)
              {
-                 t_[c * n + k] = first[0][c];
-                 p_[c * n + k] = first[1][c];
-                 tt_[c * n + k] = -w * M[0][0] * g.n[c];
-                 tp_[c * n + k] = -2 * w * M[0][1] * g.n[c];
-                 pp_[c * n + k] = -w * M[1][1] * g.n[c];
+                 d_.t[c * n + k] = first[0][c];
+                 d_.p[c * n + k] = first[1][c];
+                 d_.tt[c * n + k] = -w * M[0][0] * g.n[c];
+                 d_.tp[c * n + k] = -2 * w * M[0][1] * g.n[c];
+                 d_.pp[c * n + k] = -w * M[1][1] * g.n[c];
              }
          });
 
     std::vector<double> tension(3 * harmonics_.nCoeffs());
-    harmonics_.gradientAdjoint(t_.data(), p_.data(), tension.data());
-    harmonics_.addHessianAdjoint(tt_.data(), tp_.data(), pp_.data(),
+    harmonics_.gradientAdjoint(d_.t.data(), d_.p.data(), tension.data());
+    harmonics_.addHessianAdjoint(d_.tt.data(), d_.tp.data(), d_.pp.data(),
                                  tension.data());
     for (size_t i = 0; i < tension.size(); ++i)
     {
@@ -186,7 +193,8 @@ void Foam::bending::addLoad(const double* coeffs, double* q) const
 Foam::scalar Foam::bending::energy(const double* coeffs) const
 {
     double sum = 0;
-    each(coeffs,
+    d_.fill(harmonics_, coeffs);
+    each(harmonics_, d_,
          [&](const label k, const pointGeometry& g)
          {
              double d[4], square = 0;
@@ -200,8 +208,11 @@ Foam::scalar Foam::bending::energy(const double* coeffs) const
     return sum;
 }
 
-void Foam::bending::curvature(const double* coeffs, double* c) const
+void Foam::bending::curvature(const sphericalHarmonics& grid,
+                              const double* coeffs, double* c)
 {
-    each(coeffs, [&](const label k, const pointGeometry& g)
+    derivatives d;
+    d.fill(grid, coeffs);
+    each(grid, d, [&](const label k, const pointGeometry& g)
          { c[k] = -g.mixed[0][0] - g.mixed[1][1]; });
 }

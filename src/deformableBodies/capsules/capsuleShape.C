@@ -73,7 +73,7 @@ Foam::scalarList Foam::capsules::sample(const label i) const
             breadth,
             membrane_->energy(x.data()) +
                 (bending_ ? bending_->energy(x.data()) : 0),
-            membrane_->maxStretch(x.data())};
+            membrane_->stretches(x.data()).stretch};
 }
 
 Foam::bodySurface Foam::capsules::surface(const label i) const
@@ -94,9 +94,9 @@ Foam::bodySurface Foam::capsules::surface(const label i) const
 
     bodySurface s;
     s.vectorNames = {"velocity", "load"};
-    s.scalarNames = {"tension1", "tension2"};
+    s.scalarNames = {"tension1", "tension2", "curvature"};
     s.vectors.setSize(2);
-    s.scalars.setSize(2);
+    s.scalars.setSize(3);
 
     grid.values(c.velocity.data(), onGrid_.data());
     s.vectors[0] = vectors(onGrid_);
@@ -116,6 +116,8 @@ Foam::bodySurface Foam::capsules::surface(const label i) const
     membrane_->tensions(c.x.data(), T1.data(), T2.data());
     s.scalars[0] = scalarField(UList<scalar>(T1.data(), n));
     s.scalars[1] = scalarField(UList<scalar>(T2.data(), n));
+    bending::curvature(grid, c.x.data(), T1.data());
+    s.scalars[2] = scalarField(UList<scalar>(T1.data(), n));
 
     grid.values(c.x.data(), onGrid_.data());
     s.points = vectors(onGrid_);
@@ -152,7 +154,8 @@ Foam::scalarList Foam::capsules::state(const label i) const
     const capsule& c = capsules_[i];
     DynamicList<scalar> s;
     s.append(c.lastDeltaT);
-    for (const numbers* v : {&c.x, &c.velocity, &c.previous})
+    for (const numbers* v :
+         {&c.x, &c.velocity, &c.previous, &c.lag, &c.lagBefore})
     {
         s.append(UList<scalar>(const_cast<double*>(v->data()), v->size()));
     }
@@ -164,7 +167,8 @@ void Foam::capsules::setState(const label i, const scalarList& state,
 {
     capsule& c = capsules_[i];
     const label n = c.x.size();
-    if (state.size() != 1 + 2 * n && state.size() != 1 + 3 * n)
+    const label nParts = (state.size() - 1) / n;
+    if (state.size() != 1 + nParts * n || nParts < 2 || nParts > 4)
     {
         FatalIOErrorInFunction(source)
             << "the saved state of body " << mine()[i] << " has "
@@ -177,8 +181,13 @@ void Foam::capsules::setState(const label i, const scalarList& state,
     c.x.assign(begin, begin + n);
     c.xMid = c.x;
     c.velocity.assign(begin + n, begin + 2 * n);
-    if (stabilised_ && state.size() > 1 + 2 * n)
+    if (stabilised_ && nParts == 3)
     {
         c.previous.assign(begin + 2 * n, begin + 3 * n);
+    }
+    if (penalty_ && nParts == 4)
+    {
+        c.lag.assign(begin + 2 * n, begin + 3 * n);
+        c.lagBefore.assign(begin + 3 * n, begin + 4 * n);
     }
 }

@@ -19,7 +19,8 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
     checkEntries(dict, {"type", "shape", "positions", "membrane", "harmonics",
                         "dealiasing", "markerSpacing", "shearPlane", "coupling",
                         "bending", "viscosityRatio", "prestress", "gravity",
-                        "densityRatio", "stressFree", "motion"});
+                        "densityRatio", "stressFree", "motion", "thickness",
+                        "filter"});
     if (dict.found("viscosityRatio"))
     {
         viscosityRatio_ = readPositive(dict, "viscosityRatio", dimless);
@@ -76,7 +77,8 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
     // The first shape, about the origin, from values on a dense grid
     const dictionary& shape = dict.subDict("shape");
     const sphericalHarmonics fine(degree, 2 * degree + 2);
-    const numbers initial(initialShape(shape, fine));
+    initial_ = initialShape(shape, fine);
+    const numbers& initial = initial_;
     scalar extent = 0;
     {
         numbers values(3 * fine.nPoints());
@@ -143,14 +145,62 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
         *markerGrid_, 0.25 * (law.shearModulus() + law.areaModulus()),
         bending_ ? bending_->modulus() : 0,
         0.5 * (1 + viscosityRatio_) * scene.mu, radius_));
-    fastest_ = stabilised_->fastest();
-    if (motion == "explicit")
+    maxDeltaT_ = motion == "stabilised" ? GREAT : 1 / stabilised_->fastest();
+    if (motion == "penalty")
     {
-        stabilised_.reset();
+        const scalar thickness =
+            dict.found("thickness")
+                ? readPositive(dict, "thickness", dimless)
+                : 0.01;
+        penalty_.reset(
+            new penaltyMotion(thickness * scene.rho * radius_, radius_));
+
+        // Waves of area are the stiffest in the plane
+        const scalar bend = degree * (degree + 3) / radius_;
+        maxDeltaT_ = penalty_->maxDeltaT(
+            (law.shearModulus() + law.areaModulus()) * degree * (degree + 1) +
+            (bending_ ? bending_->modulus() * bend * bend : 0));
     }
-    else if (motion != "stabilised")
+    else if (motion != "explicit" && motion != "stabilised")
     {
-        refuse(dict, "motion", motion, "(explicit stabilised)");
+        refuse(dict, "motion", motion, "(explicit stabilised penalty)");
+    }
+    if (motion != "stabilised") stabilised_.reset();
+
+    const scalar strength = dict.getOrDefault<scalar>("filter", 0);
+    if (strength < 0)
+    {
+        refuse(dict, "filter", Foam::name(strength), "0 and greater");
+    }
+    if (strength > 0)
+    {
+        filter_.resize(coeffs_.size());
+        for (label n = 0; n <= degree; ++n)
+        {
+            const double f =
+                std::exp(-strength * std::pow(double(n) / degree, 8));
+            for (label m = 0; m <= n; ++m)
+            {
+                for (direction d = 0; d < 3; ++d)
+                {
+                    filter_[3 * markerGrid_->index(n, m, false) + d] = f;
+                    if (m) filter_[3 * markerGrid_->index(n, m, true) + d] = f;
+                }
+            }
+        }
+    }
+
+    // What the mesh carries: waves of two cells
+    const label carried = label(constant::mathematical::pi * radius_ / h);
+    if (degree > carried)
+    {
+        IOWarningInFunction(dict)
+            << "entry harmonics: " << degree << " in group " << name
+            << ", but waves of two cells have degree " << carried
+            << " on a body of radius " << radius_ << " = " << radius_ / h
+            << " h" << nl << "    Harmonics above do not feel the fluid: "
+            << "reduce them to " << carried << ", or use cells below "
+            << constant::mathematical::pi * radius_ / degree << endl;
     }
 
     const pointField positions(readPositions(dict));
@@ -169,6 +219,7 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
             capsule c;
             c.x = c.xMid = x;
             c.velocity.assign(x.size(), 0);
+            if (penalty_) c.lag = c.lagBefore = c.velocity;
             capsules_.push_back(c);
         }
     }
@@ -185,7 +236,10 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
                                : string("no bending modulus given"));
     scene_.effects.declare("stabilised", bool(stabilised_),
                            stabilised_ ? "motion of stiff membranes"
-                                       : "motion explicit");
+                                       : "motion " + motion);
+    scene_.effects.declare("penalty", bool(penalty_),
+                           penalty_ ? "elastic points beside those of the fluid"
+                                    : "motion " + motion);
     scene_.effects.declare("gravity", weight_ != vector::zero,
                            weight_ != vector::zero ? "weight of the filling"
                                                    : "none on the bodies");
@@ -339,17 +393,32 @@ Foam::string Foam::capsules::move(const vector* U, const scalar dt)
                 *markerGrid_);
         }
 
+        for (size_t j = 0; j < filter_.size(); ++j)
+        {
+            coeffs_[j] *= filter_[j];
+        }
+
         // The last good state stays in place where the new one is none
-        const double stretch =
-            finite ? membrane_->maxStretch(coeffs_.data()) : 0;
-        if (!finite || !(stretch < 50))
+        const string wrong(finite ? check(coeffs_)
+                                  : string("marker velocity is not finite"));
+        if (!wrong.empty())
         {
             trouble = "body " + Foam::name(mine()[i]) + " of group " + name() +
-                      (finite ? ": largest stretch " + Foam::name(stretch) +
-                                    ", limit 50"
-                              : string(": marker velocity is not finite"));
+                      ": " + wrong;
             c.xMid = c.x;
             continue;
+        }
+        if (penalty_)
+        {
+            const auto timing(scene_.effects.time("penalty"));
+            numbers elastic(c.x);
+            for (size_t j = 0; j < elastic.size(); ++j)
+            {
+                elastic[j] += c.lag[j];
+            }
+            c.load.resize(elastic.size());
+            load(elastic, c.load);
+            penalty_->apply(c.lag, c.lagBefore, c.load, dt, r);
         }
         for (size_t j = 0; j < g.size(); ++j)
         {
@@ -361,6 +430,27 @@ Foam::string Foam::capsules::move(const vector* U, const scalar dt)
         c.lastDeltaT = dt;
     }
     return trouble;
+}
+
+Foam::string Foam::capsules::check(const numbers& x) const
+{
+    const membrane::extremes e(membrane_->stretches(x.data()));
+    if (!(e.stretch < 50))
+    {
+        return "largest stretch " + Foam::name(e.stretch) + ", limit 50";
+    }
+    if (!(e.area > 0.01))
+    {
+        const sphericalHarmonics& grid = membrane_->harmonics();
+        const label n = grid.nPoints();
+        grid.values(x.data(), onGrid_.data());
+        OStringStream where;
+        where << vector(onGrid_[e.where], onGrid_[n + e.where],
+                        onGrid_[2 * n + e.where]);
+        return "the membrane collapses at " + where.str() + ": its area is " +
+               Foam::name(e.area) + " of the stress-free one, limit 0.01";
+    }
+    return "";
 }
 
 void Foam::capsules::load(const numbers& x, numbers& q) const
@@ -387,20 +477,39 @@ void Foam::capsules::addWeight(const capsule& c, const vector* X,
     }
 }
 
-void Foam::capsules::loads(vector* X, vector* F)
+void Foam::capsules::addLoad(const word&, const dictionary& dict)
+{
+    const word type(dict.get<word>("type"));
+    if (type != "pointPair") refuse(dict, "type", type, "(pointPair)");
+
+    const label n = markerGrid_->nPoints();
+    vectorField X(n), dS(n);
+    atMarkers(initial_, X.data(), 1);
+    areas(initial_, dS.data());
+    pairs_.append(new pointPair(dict, X, mag(dS)));
+}
+
+void Foam::capsules::loads(vector* X, vector* F, const scalar time)
 {
     const auto timing(scene_.effects.time("membrane"));
     const label n = markerGrid_->nPoints();
     for (const capsule& c : capsules_)
     {
         atMarkers(c.xMid, X, 1);
-        load(c.xMid, coeffs_);
+        if (penalty_)
+            coeffs_ = c.load;
+        else
+            load(c.xMid, coeffs_);
         atMarkers(coeffs_, F, -1);
         for (label k = 0; k < n; ++k)
         {
             F[k] *= markerGrid_->weight(k);
         }
         if (weight_ != vector::zero) addWeight(c, X, F);
+        for (const pointPair& pair : pairs_)
+        {
+            pair.add(F, time);
+        }
         X += n;
         F += n;
     }
@@ -408,7 +517,7 @@ void Foam::capsules::loads(vector* X, vector* F)
 
 Foam::scalar Foam::capsules::maxDeltaT() const
 {
-    // Stability of Adams-Bashforth 2 with the fastest harmonic; the stabilised
-    // motion has no such limit, only that of accuracy
-    return stabilised_ ? GREAT : 1 / fastest_;
+    // Of Adams-Bashforth 2 with the fastest harmonic, or of the elastic points;
+    // the stabilised motion has no such limit, only that of accuracy
+    return maxDeltaT_;
 }

@@ -2,6 +2,7 @@
 
 #include "initialShape.H"
 #include "dictionaryChecks.H"
+#include "IFstream.H"
 #include "transform.H"
 #include "triSurface.H"
 #include <cmath>
@@ -84,6 +85,53 @@ public:
         return distance * e;
     }
 };
+
+//- Coefficients of a body of a state file, about their mean
+void savedShape(const dictionary& dict, const sphericalHarmonics& grid,
+                std::vector<double>& coeffs)
+{
+    const fileName file(dict.get<fileName>("file").expand());
+    const auto refuseState = [&](const string& why)
+    { refuse(dict, "file", file, "a state of bodies with " + why); };
+
+    IFstream is(file);
+    if (!is.good()) refuse(dict, "file", file, "a file that can be read");
+    const dictionary saved(is);
+    const word group(dict.get<word>("group"));
+    if (!saved.found(group)) refuseState("a group " + group);
+    const List<scalarList> states(saved.get<List<scalarList>>(group));
+    const label body = dict.getOrDefault<label>("body", 0);
+    if (body < 0 || body >= states.size())
+    {
+        refuseState("a body " + Foam::name(body) + " in group " + group);
+    }
+
+    // The last step, then 2, 3 or 4 sets of coefficients: only one of these
+    // makes (N + 1)^2 a square
+    const label numbers = states[body].size() - 1;
+    for (label sets = 2; sets <= 4; ++sets)
+    {
+        const label N =
+            label(std::lround(std::sqrt(numbers / (3.0 * sets)))) - 1;
+        if (N < 1 || 3 * sets * (N + 1) * (N + 1) != numbers) continue;
+
+        const sphericalHarmonics other(N, N + 2);
+        for (int n = 1; n <= min(N, label(grid.degree())); ++n)
+        {
+            for (int m = 0; m <= n; ++m)
+            {
+                for (int sine = 0; sine <= (m ? 1 : 0); ++sine)
+                {
+                    std::copy_n(states[body].cdata() + 1 +
+                                    3 * other.index(n, m, sine),
+                                3, &coeffs[3 * grid.index(n, m, sine)]);
+                }
+            }
+        }
+        return;
+    }
+    refuseState("coefficients of capsules");
+}
 } // namespace
 
 std::vector<double> Foam::initialShape(const dictionary& dict,
@@ -148,7 +196,23 @@ std::vector<double> Foam::initialShape(const dictionary& dict,
     }
     else if (type == "fromFile")
     {
-        checkEntries(dict, {"type", "file", "scale", "axis"});
+        checkEntries(dict,
+                     {"type", "file", "scale", "axis", "group", "body"});
+        if (dict.found("group"))
+        {
+            const scalar scale = dict.getOrDefault<scalar>("scale", 1);
+            savedShape(dict, grid, coeffs);
+            for (int i = 0; i < grid.nCoeffs(); ++i)
+            {
+                const vector x(coeffs[3 * i], coeffs[3 * i + 1],
+                               coeffs[3 * i + 2]);
+                for (direction d = 0; d < 3; ++d)
+                {
+                    coeffs[3 * i + d] = scale * (turn & x)[d];
+                }
+            }
+            return coeffs;
+        }
         const starSurface surface(dict);
         make([&](const vector& e) { return surface.at(e); });
     }

@@ -115,11 +115,13 @@ Foam::scalar Foam::membrane::load(const double* coeffs, double* q) const
 // Largest eigenvalue of C^a_b = A^ac a_cb. The discriminant is made of
 // differences that vanish where the stretch is isotropic; I1^2/4 - det would
 // leave the square root of round-off there
-Foam::scalar Foam::membrane::maxStretch(const double* coeffs) const
+Foam::membrane::extremes
+Foam::membrane::stretches(const double* coeffs) const
 {
     invariants(coeffs);
     const label n = harmonics_.nPoints();
-    double largest = 0;
+    double largest = 0, smallest = 1e300;
+    extremes e;
     for (label k = 0; k < n; ++k)
     {
         const metric m(xt_.data(), xp_.data(), n, k);
@@ -130,8 +132,15 @@ Foam::scalar Foam::membrane::maxStretch(const double* coeffs) const
             half * half + (Att * m.tp + Atp * m.pp) * (Atp * m.tt + App * m.tp);
         largest = std::max(largest, 0.5 * (I1_[k] + 2) +
                                         std::sqrt(std::max(0.0, root2)));
+        if (I2_[k] + 1 < smallest)
+        {
+            smallest = I2_[k] + 1;
+            e.where = k;
+        }
     }
-    return std::sqrt(largest);
+    e.stretch = std::sqrt(largest);
+    e.area = std::sqrt(smallest);
+    return e;
 }
 
 void Foam::membrane::tensions(const double* coeffs, double* T1,
