@@ -388,7 +388,7 @@ Foam::string Foam::capsules::move(const vector* U, const scalar dt)
         {
             const auto timing(scene_.effects.time("stabilised"));
             stabilised_->apply(
-                c.x, c.previous, coeffs_, dt, r,
+                c.x, c.previous, coeffs_, dt, r, referenceVolume_,
                 [&](const numbers& x, numbers& dV) { volumeGradient(x, dV); },
                 *markerGrid_);
         }

@@ -71,7 +71,7 @@ Foam::stabilisedMotion::stabilisedMotion(const sphericalHarmonics& grid,
 
 void Foam::stabilisedMotion::apply(
     const numbers& x, const numbers& previous, numbers& base, const scalar dt,
-    const scalar ratio,
+    const scalar ratio, const scalar enclosed,
     const std::function<void(const numbers&, numbers&)>& volumeGradient,
     const sphericalHarmonics& grid) const
 {
@@ -81,8 +81,6 @@ void Foam::stabilisedMotion::apply(
         volumeGradient(y, g);
         return std::inner_product(y.begin(), y.end(), g.begin(), 0.0) / 3;
     };
-    const double wanted = volume(x);
-
     if (previous.size())
     {
         const Eigen::AngleAxisd q(
@@ -116,7 +114,7 @@ void Foam::stabilisedMotion::apply(
     // Two passes of Newton's method back to the volume
     for (int pass = 0; pass < 2; ++pass)
     {
-        const double lack = wanted - volume(base);
+        const double lack = enclosed - volume(base);
         double square = 0;
         numbers step(g);
         for (size_t i = 0; i < degree_.size(); ++i)
