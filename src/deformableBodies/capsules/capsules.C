@@ -139,10 +139,18 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
         bending_.reset(
             new bending(bend, membrane_->harmonics(), radius_, initial));
     }
-    const word motion(dict.getOrDefault<word>("motion", "explicit"));
     const membraneModel& law = membrane_->model();
+    const scalar tension = 0.25 * (law.shearModulus() + law.areaModulus());
+    word motion(dict.getOrDefault<word>("motion", "auto"));
+    if (motion == "auto")
+    {
+        // Re/Ca, whatever the rate: beyond this the fluid's inertia makes the
+        // assumed mobility wrong
+        const scalar inertia = scene.rho * radius_ * tension / sqr(scene.mu);
+        motion = inertia < 30 ? "stabilised" : "explicit";
+    }
     stabilised_.reset(new stabilisedMotion(
-        *markerGrid_, 0.25 * (law.shearModulus() + law.areaModulus()),
+        *markerGrid_, tension,
         bending_ ? bending_->modulus() : 0,
         0.5 * (1 + viscosityRatio_) * scene.mu, radius_));
     maxDeltaT_ = motion == "stabilised" ? GREAT : 1 / stabilised_->fastest();
@@ -163,7 +171,8 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
     }
     else if (motion != "explicit" && motion != "stabilised")
     {
-        refuse(dict, "motion", motion, "(explicit stabilised penalty)");
+        refuse(dict, "motion", motion,
+               "(auto explicit stabilised penalty)");
     }
     if (motion != "stabilised") stabilised_.reset();
 
