@@ -139,43 +139,7 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
         bending_.reset(
             new bending(bend, membrane_->harmonics(), radius_, initial));
     }
-    const membraneModel& law = membrane_->model();
-    const scalar tension = 0.25 * (law.shearModulus() + law.areaModulus());
-    word motion(dict.getOrDefault<word>("motion", "auto"));
-    if (motion == "auto")
-    {
-        // Re/Ca, whatever the rate: beyond this the fluid's inertia makes the
-        // assumed mobility wrong
-        const scalar inertia = scene.rho * radius_ * tension / sqr(scene.mu);
-        motion = inertia < 30 ? "stabilised" : "explicit";
-    }
-    stabilised_.reset(new stabilisedMotion(
-        *markerGrid_, tension,
-        bending_ ? bending_->modulus() : 0,
-        0.5 * (1 + viscosityRatio_) * scene.mu, radius_));
-    maxDeltaT_ = motion == "stabilised" ? GREAT : 1 / stabilised_->fastest();
-    if (motion == "penalty")
-    {
-        const scalar thickness =
-            dict.found("thickness")
-                ? readPositive(dict, "thickness", dimless)
-                : 0.01;
-        penalty_.reset(
-            new penaltyMotion(thickness * scene.rho * radius_, radius_));
-
-        // Waves of area are the stiffest in the plane
-        const scalar bend = degree * (degree + 3) / radius_;
-        maxDeltaT_ = penalty_->maxDeltaT(
-            (law.shearModulus() + law.areaModulus()) * degree * (degree + 1) +
-            (bending_ ? bending_->modulus() * bend * bend : 0));
-    }
-    else if (motion != "explicit" && motion != "stabilised")
-    {
-        refuse(dict, "motion", motion,
-               "(auto explicit stabilised penalty)");
-    }
-    if (motion != "stabilised") stabilised_.reset();
-
+    setMotion(dict);
     const scalar strength = dict.getOrDefault<scalar>("filter", 0);
     if (strength < 0)
     {
@@ -243,15 +207,73 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
                            bending_
                                ? "modulus " + Foam::name(bending_->modulus())
                                : string("no bending modulus given"));
-    scene_.effects.declare("stabilised", bool(stabilised_),
-                           stabilised_ ? "motion of stiff membranes"
-                                       : "motion " + motion);
-    scene_.effects.declare("penalty", bool(penalty_),
-                           penalty_ ? "elastic points beside those of the fluid"
-                                    : "motion " + motion);
     scene_.effects.declare("gravity", weight_ != vector::zero,
                            weight_ != vector::zero ? "weight of the filling"
                                                    : "none on the bodies");
+}
+
+void Foam::capsules::setMotion(const dictionary& dict)
+{
+    const membraneModel& law = membrane_->model();
+    const scalar modulus = bending_ ? bending_->modulus() : 0;
+    const auto stabilised = [&](const scalar tension, const scalar modulus)
+    {
+        return std::unique_ptr<stabilisedMotion>(new stabilisedMotion(
+            *markerGrid_, tension, modulus,
+            0.5 * (1 + viscosityRatio_) * scene_.mu, radius_));
+    };
+
+    // Of Adams-Bashforth 2 and the fastest harmonic. The mesh smooths and the
+    // fluid lags: at least four times that is stable (tests/bench/stability)
+    const scalar tension = 0.25 * (law.shearModulus() + law.areaModulus());
+    const auto explicitLimit = [&](const scalar modulus)
+    { return 4 / stabilised(tension, modulus)->fastest(); };
+
+    const word motion(dict.getOrDefault<word>("motion", "auto"));
+    string note("motion " + motion);
+    if (motion == "auto")
+    {
+        // Re/Ca_G, whatever the rate
+        const scalar inertia =
+            scene_.rho * radius_ * law.shearModulus() / sqr(scene_.mu);
+        const bool damped = bending_ && inertia < 30;
+        if (damped) stabilised_ = stabilised(0, modulus);
+        maxDeltaT_ = explicitLimit(damped ? 0 : modulus);
+        note = damped ? "bending only" : "tension and inertia need none";
+    }
+    else if (motion == "stabilised")
+    {
+        stabilised_ = stabilised(tension, modulus);
+        maxDeltaT_ = GREAT;
+        note = "tension and bending";
+    }
+    else if (motion == "explicit")
+    {
+        maxDeltaT_ = explicitLimit(modulus);
+    }
+    else if (motion == "penalty")
+    {
+        const scalar thickness =
+            dict.found("thickness")
+                ? readPositive(dict, "thickness", dimless)
+                : 0.01;
+        penalty_.reset(
+            new penaltyMotion(thickness * scene_.rho * radius_, radius_));
+
+        // Waves of area are the stiffest in the plane
+        const scalar N = markerGrid_->degree(), bend = N * (N + 3) / radius_;
+        maxDeltaT_ = penalty_->maxDeltaT((law.shearModulus() +
+                                          law.areaModulus()) * N * (N + 1) +
+                                         modulus * bend * bend);
+    }
+    else
+    {
+        refuse(dict, "motion", motion, "(auto explicit stabilised penalty)");
+    }
+    scene_.effects.declare("stabilised", bool(stabilised_), note);
+    scene_.effects.declare("penalty", bool(penalty_),
+                           penalty_ ? "elastic points beside those of the fluid"
+                                    : "motion " + motion);
 }
 
 void Foam::capsules::checkFits(const dictionary& dict, const label body,
@@ -526,7 +548,5 @@ void Foam::capsules::loads(vector* X, vector* F, const scalar time)
 
 Foam::scalar Foam::capsules::maxDeltaT() const
 {
-    // Of Adams-Bashforth 2 with the fastest harmonic, or of the elastic points;
-    // the stabilised motion has no such limit, only that of accuracy
     return maxDeltaT_;
 }
