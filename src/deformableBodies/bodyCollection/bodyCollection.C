@@ -92,8 +92,16 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     boundary_.reset(new immersedBoundary(grid_, deltaKernel(dict)));
 
     const bool twoWay = bodyGroup::readTwoWay(dict, "twoWay");
-    const bodyScene scene{grid_,         rho_,     rho_ * nu,
-                          readGravity(), accuracy, twoWay ? "twoWay" : "oneWay",
+    const Time& time = mesh_.time();
+    const bool adjusted =
+        time.controlDict().getOrDefault<bool>("adjustTimeStep", false);
+    const bodyScene scene{grid_,
+                          rho_,
+                          rho_ * nu,
+                          readGravity(),
+                          adjusted ? GREAT : time.deltaTValue(),
+                          accuracy,
+                          twoWay ? "twoWay" : "oneWay",
                           effects_};
     bool feedback = false;
     const dictionary& bodies = dict.subDict("bodies");
@@ -171,6 +179,16 @@ Foam::vector Foam::bodyCollection::readGravity() const
                  IOobject::NO_WRITE, false),
         dimensionedVector(dimAcceleration, Zero));
     return g.value();
+}
+
+bool Foam::bodyCollection::stiff() const
+{
+    bool any = false;
+    forAll(groups_, g)
+    {
+        any = any || (groups_[g].twoWay() && groups_[g].stiff());
+    }
+    return any;
 }
 
 Foam::scalar Foam::bodyCollection::maxDeltaT() const

@@ -216,40 +216,45 @@ void Foam::capsules::setMotion(const dictionary& dict)
 {
     const membraneModel& law = membrane_->model();
     const scalar modulus = bending_ ? bending_->modulus() : 0;
-    const auto stabilised = [&](const scalar tension, const scalar modulus)
-    {
-        return std::unique_ptr<stabilisedMotion>(new stabilisedMotion(
-            *markerGrid_, tension, modulus,
-            0.5 * (1 + viscosityRatio_) * scene_.mu, radius_));
-    };
+    stabilised_.reset(new stabilisedMotion(
+        *markerGrid_, 0.25 * (law.shearModulus() + law.areaModulus()), modulus,
+        0.5 * (1 + viscosityRatio_) * scene_.mu, radius_));
 
-    // Of Adams-Bashforth 2 and the fastest harmonic. The mesh smooths and the
-    // fluid lags: at least four times that is stable (tests/bench/stability)
-    const scalar tension = 0.25 * (law.shearModulus() + law.areaModulus());
-    const auto explicitLimit = [&](const scalar modulus)
-    { return 4 / stabilised(tension, modulus)->fastest(); };
+    // Of Adams-Bashforth 2 and the fastest harmonic; as the mesh smooths it, at
+    // least four times that is stable (tests/bench/stability)
+    maxDeltaT_ = 4 / stabilised_->fastest();
 
-    const word motion(dict.getOrDefault<word>("motion", "auto"));
+    word motion(dict.getOrDefault<word>("motion", "auto"));
     string note("motion " + motion);
     if (motion == "auto")
     {
         // Re/Ca_G, whatever the rate
         const scalar inertia =
             scene_.rho * radius_ * law.shearModulus() / sqr(scene_.mu);
-        const bool damped = bending_ && inertia < 30;
-        if (damped) stabilised_ = stabilised(0, modulus);
-        maxDeltaT_ = explicitLimit(damped ? 0 : modulus);
-        note = damped ? "bending only" : "tension and inertia need none";
+        if (scene_.deltaT <= maxDeltaT_)
+        {
+            motion = "explicit";
+            note = "not needed up to deltaT = " + Foam::name(maxDeltaT_);
+        }
+        else if (inertia < 30)
+        {
+            motion = "stabilised";
+        }
+        else
+        {
+            motion = "explicit";
+            note = "too much inertia: Re/Ca = " + Foam::name(inertia) +
+                   ", limit 30";
+        }
     }
-    else if (motion == "stabilised")
+    if (motion == "stabilised")
     {
-        stabilised_ = stabilised(tension, modulus);
         maxDeltaT_ = GREAT;
-        note = "tension and bending";
+        note = "steps larger than explicit motion bears";
     }
     else if (motion == "explicit")
     {
-        maxDeltaT_ = explicitLimit(modulus);
+        stabilised_.reset();
     }
     else if (motion == "penalty")
     {
@@ -257,6 +262,7 @@ void Foam::capsules::setMotion(const dictionary& dict)
             dict.found("thickness")
                 ? readPositive(dict, "thickness", dimless)
                 : 0.01;
+        stabilised_.reset();
         penalty_.reset(
             new penaltyMotion(thickness * scene_.rho * radius_, radius_));
 

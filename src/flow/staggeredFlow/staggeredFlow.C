@@ -64,7 +64,8 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
                                    surfaceScalarField& phi,
                                    const volScalarField& nu,
                                    const dictionary& controls,
-                                   effectLedger& effects)
+                                   effectLedger& effects,
+                                   const bool stiffBodies)
     : mesh_(U.mesh()),
       grid_(uniformGrid::New(mesh_)),
       block_(grid_),
@@ -92,6 +93,8 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
         refuse(controls, "diffusion", diffusion_,
                "auto, ADI or explicit where two directions have walls");
     }
+    transforms_ = diffusion_ == "FFT" ||
+                  (diffusion_ == "auto" && stiffBodies && nWalled < 2);
 
     // First, as making it takes memory for a moment
     {
@@ -305,15 +308,15 @@ void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
     if (explicit_ != before) hasLast_ = false;
     if (!explicit_ && !implicit_)
     {
-        implicit_.reset(new implicitDiffusion(grid_, diffusion_ == "FFT"));
+        implicit_.reset(new implicitDiffusion(grid_, transforms_));
     }
     if (explicit_ != before || !chosen_)
     {
         chosen_ = true;
         Info << "Diffusion: "
-             << (explicit_             ? "explicit"
-                 : diffusion_ == "FFT" ? "implicit by fast transforms"
-                                       : "implicit by ADI")
+             << (explicit_     ? "explicit"
+                 : transforms_ ? "implicit by fast transforms"
+                               : "implicit by ADI")
              << " at nu dt/h^2 = " << number << endl;
         if (history_) history_->rename(history::nameOf(explicit_));
     }
