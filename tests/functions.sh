@@ -98,15 +98,15 @@ print("%.2e" % (np.abs(x - y) / np.maximum(np.abs(x).max(0), floor)).max())
 END
 }
 
-# flowCase <scene> <folder> [entry value]...: a case of tutorials/flow with
+# sceneCase <family/scene> <folder> [entry value]...: a tutorial with
 # other values in constant/scene; mesh and start fields made
-flowCase()
+sceneCase()
 {
     local scene=$1 dir=$2
     shift 2
     rm -rf "$dir"
     mkdir -p "$dir"
-    cp -r "$DEFORMABLE_BODIES_DIR/tutorials/flow/$scene"/{0.orig,constant,system} "$dir"
+    cp -r "$DEFORMABLE_BODIES_DIR/tutorials/$scene"/{0.orig,constant,system} "$dir"
     cd "$dir" || return 1
     rm -rf constant/polyMesh
     while [ $# -gt 0 ]
@@ -117,6 +117,16 @@ flowCase()
     cp -r 0.orig 0
     blockMesh > log.blockMesh 2>&1
     [ ! -e system/setExprFieldsDict ] || setExprFields > log.setExprFields 2>&1
+}
+
+# peak <command>...: largest resident memory in bytes
+peak()
+{
+    "$DEFORMABLE_BODIES_DIR/bin/python" - "$@" <<'PY'
+import resource, subprocess, sys
+subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+print(1024 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)
+PY
 }
 
 # The shear case in here, periodic all round and at rest

@@ -37,7 +37,7 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
         refuse(dict, "dealiasing", Foam::name(dealiasing), "1 to 4");
     }
     const scalar spacing =
-        byAccuracy<scalar>(dict, "markerSpacing", 0.9, 0.7, 0.5);
+        byAccuracy<scalar>(dict, "markerSpacing", 1, 0.9, 0.6);
     if (spacing < 0.1 || spacing > 1)
     {
         refuse(dict, "markerSpacing", Foam::name(spacing), "0.1 to 1");
