@@ -50,6 +50,12 @@ public:
             volume += v;
             centre_ += v * (a + b + c) / 4;
         }
+        const scalar size = mag(boundBox(points, false).span());
+        if (mag(volume) < 1e-6 * pow3(size))
+        {
+            refuseFile("encloses no volume: its triangles do not all turn the "
+                       "same way, or it crosses itself");
+        }
         centre_ /= volume;
     }
 
