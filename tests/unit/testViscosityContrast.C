@@ -43,12 +43,11 @@ TEST(ViscosityContrast, levelsVolumeAndRange)
                                std::sin(t) * std::sin(p), std::cos(t));
                 X.append(centres[b] + cmptMultiply(semiAxes, e));
                 G.append((1 - ratios[b]) * sphere.weight(k) *
-                         cmptDivide(e, semiAxes) * semiAxes.x() *
-                         semiAxes.y() * semiAxes.z());
+                         cmptDivide(e, semiAxes) * semiAxes.x() * semiAxes.y() *
+                         semiAxes.z());
             }
-            excess += (ratios[b] - 1) * 4.0 / 3 *
-                      constant::mathematical::pi * pow3(radius) *
-                      grid.cellVolume();
+            excess += (ratios[b] - 1) * 4.0 / 3 * constant::mathematical::pi *
+                      pow3(radius) * grid.cellVolume();
         }
     }
 
@@ -76,7 +75,8 @@ TEST(ViscosityContrast, levelsVolumeAndRange)
             }
             nearest = min(nearest, distance);
         }
-        if (nearest > radius + 2) outside = max(outside, mag(nu[celli] / 2 - 1));
+        if (nearest > radius + 2)
+            outside = max(outside, mag(nu[celli] / 2 - 1));
         sum += (nu[celli] / 2 - 1) * grid.cellVolume();
     }
     reduce(inside, maxOp<scalar>());

@@ -213,6 +213,7 @@ void Foam::bending::curvature(const sphericalHarmonics& grid,
 {
     derivatives d;
     d.fill(grid, coeffs);
-    each(grid, d, [&](const label k, const pointGeometry& g)
+    each(grid, d,
+         [&](const label k, const pointGeometry& g)
          { c[k] = -g.mixed[0][0] - g.mixed[1][1]; });
 }

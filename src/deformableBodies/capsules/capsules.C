@@ -258,19 +258,18 @@ void Foam::capsules::setMotion(const dictionary& dict)
     }
     else if (motion == "penalty")
     {
-        const scalar thickness =
-            dict.found("thickness")
-                ? readPositive(dict, "thickness", dimless)
-                : 0.01;
+        const scalar thickness = dict.found("thickness")
+                                     ? readPositive(dict, "thickness", dimless)
+                                     : 0.01;
         stabilised_.reset();
         penalty_.reset(
             new penaltyMotion(thickness * scene_.rho * radius_, radius_));
 
         // Waves of area are the stiffest in the plane
         const scalar N = markerGrid_->degree(), bend = N * (N + 3) / radius_;
-        maxDeltaT_ = penalty_->maxDeltaT((law.shearModulus() +
-                                          law.areaModulus()) * N * (N + 1) +
-                                         modulus * bend * bend);
+        maxDeltaT_ = penalty_->maxDeltaT(
+            (law.shearModulus() + law.areaModulus()) * N * (N + 1) +
+            modulus * bend * bend);
     }
     else
     {

@@ -202,8 +202,7 @@ std::vector<double> Foam::initialShape(const dictionary& dict,
     }
     else if (type == "fromFile")
     {
-        checkEntries(dict,
-                     {"type", "file", "scale", "axis", "group", "body"});
+        checkEntries(dict, {"type", "file", "scale", "axis", "group", "body"});
         if (dict.found("group"))
         {
             const scalar scale = dict.getOrDefault<scalar>("scale", 1);

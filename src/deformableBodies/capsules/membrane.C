@@ -115,8 +115,7 @@ Foam::scalar Foam::membrane::load(const double* coeffs, double* q) const
 // Largest eigenvalue of C^a_b = A^ac a_cb. The discriminant is made of
 // differences that vanish where the stretch is isotropic; I1^2/4 - det would
 // leave the square root of round-off there
-Foam::membrane::extremes
-Foam::membrane::stretches(const double* coeffs) const
+Foam::membrane::extremes Foam::membrane::stretches(const double* coeffs) const
 {
     invariants(coeffs);
     const label n = harmonics_.nPoints();

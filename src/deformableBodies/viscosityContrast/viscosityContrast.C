@@ -55,14 +55,13 @@ void Foam::viscosityContrast::update(const immersedBoundary& boundary,
 
     // Without walls the mean of the solution is zero
     const vector L(grid_.length());
-    const scalar mean = poisson_.singular(0)
-                            ? returnReduce(excess, sumOp<scalar>()) /
-                                  (L.x() * L.y() * L.z())
-                            : 0;
+    const scalar mean =
+        poisson_.singular(0)
+            ? returnReduce(excess, sumOp<scalar>()) / (L.x() * L.y() * L.z())
+            : 0;
     forAll(I, celli)
     {
-        nu[celli] =
-            min(max(nu0_ * (1 + mean + I[celli]), lowest_), highest_);
+        nu[celli] = min(max(nu0_ * (1 + mean + I[celli]), lowest_), highest_);
     }
     nu.correctBoundaryConditions();
 }

@@ -1,0 +1,271 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "filament.H"
+
+Foam::filament::filament(const properties& all, const point& first,
+                         const vector& direction)
+    : filament(all,
+               [&]()
+               {
+                   vectorField X(all.segments + 1);
+                   forAll(X, i)
+                   {
+                       X[i] = first + i * all.ds() / mag(direction) * direction;
+                   }
+                   return X;
+               }())
+{
+}
+
+Foam::filament::filament(const properties& all, const vectorField& nodes)
+    : all_(all),
+      X_(nodes),
+      V_(nodes.size(), Zero),
+      XBefore_(nodes),
+      VBefore_(nodes.size(), Zero),
+      T_(nodes.size() - 1, Zero)
+{
+    const label N = all_.segments;
+    clamp_[0] = (X_[1] - X_[0]) / mag(X_[1] - X_[0]);
+    clamp_[1] = (X_[N] - X_[N - 1]) / mag(X_[N] - X_[N - 1]);
+}
+
+Foam::scalar Foam::filament::bendWeight(const label k) const
+{
+    if (k == 0) return all_.ends[0] == CLAMPED ? 0.5 : 0;
+    if (k == all_.segments) return all_.ends[1] == CLAMPED ? 0.5 : 0;
+    return 1;
+}
+
+// At a clamped end the neighbour beyond it lies along the clamp
+Foam::vector Foam::filament::bend(const vectorField& X, const label k) const
+{
+    if (k == 0) return 2 * (X[1] - X[0] - all_.ds() * clamp_[0]);
+    if (k == all_.segments)
+    {
+        return 2 * (X[k - 1] - X[k] + all_.ds() * clamp_[1]);
+    }
+    return X[k - 1] - 2 * X[k] + X[k + 1];
+}
+
+bool Foam::filament::tryStep(const scalar dt, const vectorField& f,
+                             const scalarField& c, const vectorField& U)
+{
+    const label N = all_.segments, n = 4 * N + 3;
+    const scalar ds = all_.ds(), stiffness = all_.rigidity / pow3(ds);
+
+    // BDF2; the first step is of first order
+    const bool first = lastDeltaT_ == 0;
+    const scalar r = first ? 0 : dt / lastDeltaT_;
+    const scalar c0 = first ? 1 / dt : (1 + 2 * r) / ((1 + r) * dt);
+    const scalar c1 = first ? -1 / dt : -(1 + r) / dt;
+    const scalar c2 = first ? 0 : sqr(r) / ((1 + r) * dt);
+
+    // Newton's method from an extrapolation
+    vectorField X(X_ + dt * V_ + (first ? 0 : 0.5 * r) * dt * (V_ - VBefore_)),
+        V(X.size()), R(X.size());
+    scalarField T(T_);
+    bandedMatrix<8> A(n);
+    std::vector<double> change(n);
+    const auto held = [&](const label i)
+    {
+        return (i == 0 && all_.ends[0] != FREE) ||
+               (i == N && all_.ends[1] != FREE);
+    };
+    forAll(X, i)
+    {
+        if (held(i)) X[i] = X_[i];
+    }
+
+    for (label iteration = 0; iteration < 12; ++iteration)
+    {
+        ++iterations_;
+        A.clear();
+        forAll(X, i)
+        {
+            const scalar w = weight(i) * ds;
+            V[i] = c0 * X[i] + c1 * X_[i] + c2 * XBefore_[i];
+            const vector acceleration(c0 * V[i] + c1 * V_[i] +
+                                      c2 * VBefore_[i]);
+            R[i] = w * (all_.mass * acceleration + c[i] * (V[i] - U[i]) - f[i]);
+            const scalar inertia = w * (all_.mass * c0 + c[i]) * c0;
+            for (direction d = 0; d < 3; ++d)
+            {
+                A(4 * i + d, 4 * i + d) += inertia;
+            }
+        }
+        for (label k = 0; k <= N; ++k)
+        {
+            const scalar w = bendWeight(k) * stiffness;
+            if (w == 0) continue;
+            const vector force(w * bend(X, k));
+
+            // Places that the second difference is made of, and their factors
+            const label at[3] = {k == 0 ? 1 : k - 1, k, k == N ? N - 1 : k + 1};
+            const scalar factor[3] = {k == 0 || k == N ? 2.0 : 1.0, -2.0,
+                                      k == 0 || k == N ? 0.0 : 1.0};
+            for (int a = 0; a < 3; ++a)
+            {
+                R[at[a]] += factor[a] * force;
+                for (int b = 0; b < 3; ++b)
+                {
+                    for (direction d = 0; d < 3; ++d)
+                    {
+                        A(4 * at[a] + d, 4 * at[b] + d) +=
+                            w * factor[a] * factor[b];
+                    }
+                }
+            }
+        }
+        for (label i = 0; i < N; ++i)
+        {
+            const vector t((X[i + 1] - X[i]) / ds);
+            R[i] -= T[i] * t;
+            R[i + 1] += T[i] * t;
+            for (direction d = 0; d < 3; ++d)
+            {
+                const label a = 4 * i + d, b = a + 4, k = 4 * i + 3;
+                A(a, a) += T[i] / ds;
+                A(b, b) += T[i] / ds;
+                A(a, b) -= T[i] / ds;
+                A(b, a) -= T[i] / ds;
+                A(a, k) -= t[d];
+                A(b, k) += t[d];
+                A(k, a) -= t[d];
+                A(k, b) += t[d];
+            }
+            change[4 * i + 3] = -0.5 * ds * (magSqr(t) - 1);
+        }
+        forAll(X, i)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                const label a = 4 * i + d;
+                change[a] = -R[i][d];
+                if (!held(i)) continue;
+                for (label j = max(label(0), a - 8); j <= min(n - 1, a + 8);
+                     ++j)
+                {
+                    A(a, j) = 0;
+                }
+                A(a, a) = 1;
+                change[a] = 0;
+            }
+        }
+        if (!A.solve(change)) return false;
+
+        scalar largest = 0;
+        forAll(X, i)
+        {
+            const vector dX(change[4 * i], change[4 * i + 1],
+                            change[4 * i + 2]);
+            X[i] += dX;
+            largest = max(largest, mag(dX));
+            if (i < N) T[i] += change[4 * i + 3];
+        }
+        if (!(largest < all_.length)) return false;
+
+        // The error left is the square of the last change
+        if (largest < 1e-6 * ds)
+        {
+            VBefore_ = V_;
+            V_ = c0 * X + c1 * X_ + c2 * XBefore_;
+            XBefore_ = X_;
+            X_ = X;
+            T_ = T;
+            lastDeltaT_ = dt;
+            return true;
+        }
+    }
+    return false;
+}
+
+bool Foam::filament::stepWithin(const scalar dt, const vectorField& f,
+                                const scalarField& c, const vectorField& U,
+                                const label depth)
+{
+    if (tryStep(dt, f, c, U)) return true;
+    return depth > 0 && stepWithin(0.5 * dt, f, c, U, depth - 1) &&
+           stepWithin(0.5 * dt, f, c, U, depth - 1);
+}
+
+bool Foam::filament::step(const scalar dt, const vectorField& f,
+                          const scalarField& c, const vectorField& U)
+{
+    iterations_ = 0;
+    const filament before(*this);
+    if (stepWithin(dt, f, c, U, 6)) return true;
+    X_ = before.X_;
+    V_ = before.V_;
+    XBefore_ = before.XBefore_;
+    VBefore_ = before.VBefore_;
+    T_ = before.T_;
+    lastDeltaT_ = before.lastDeltaT_;
+    return false;
+}
+
+Foam::scalar Foam::filament::lengthError() const
+{
+    scalar largest = 0;
+    for (label i = 0; i < all_.segments; ++i)
+    {
+        largest = max(largest, mag(mag(X_[i + 1] - X_[i]) / all_.ds() - 1));
+    }
+    return largest;
+}
+
+Foam::scalar Foam::filament::kineticEnergy() const
+{
+    scalar sum = 0;
+    forAll(V_, i)
+    {
+        sum += 0.5 * weight(i) * all_.ds() * all_.mass * magSqr(V_[i]);
+    }
+    return sum;
+}
+
+Foam::scalar Foam::filament::bendingEnergy() const
+{
+    scalar sum = 0;
+    forAll(X_, k)
+    {
+        const scalar w = bendWeight(k);
+        if (w > 0) sum += w * magSqr(bend(X_, k));
+    }
+    return 0.5 * all_.rigidity / pow3(all_.ds()) * sum;
+}
+
+void Foam::filament::save(DynamicList<scalar>& state) const
+{
+    state.append(lastDeltaT_);
+    for (const vectorField* v : {&X_, &V_, &XBefore_, &VBefore_})
+    {
+        for (const vector& x : *v)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                state.append(x[d]);
+            }
+        }
+    }
+    state.append(T_);
+}
+
+void Foam::filament::restore(const scalar* state)
+{
+    lastDeltaT_ = *state++;
+    for (vectorField* v : {&X_, &V_, &XBefore_, &VBefore_})
+    {
+        for (vector& x : *v)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                x[d] = *state++;
+            }
+        }
+    }
+    forAll(T_, i)
+    {
+        T_[i] = *state++;
+    }
+}
