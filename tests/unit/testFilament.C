@@ -15,7 +15,7 @@ filament::properties make(const label N, const scalar rigidity,
                           const filament::endType first,
                           const filament::endType last)
 {
-    filament::properties p{N, 1, 1, rigidity, {}};
+    filament::properties p{N, 1, 1, rigidity, {}, 1};
     p.ends[0] = first;
     p.ends[1] = last;
     return p;

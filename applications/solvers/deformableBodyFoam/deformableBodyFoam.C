@@ -74,7 +74,11 @@ int main(int argc, char* argv[])
 
         Info<< "Time = " << runTime.timeName() << nl << endl;
 
-        if (staggered)
+        if (bodies.alone())
+        {
+            bodies.advance(phi);
+        }
+        else if (staggered)
         {
             #include "staggeredStep.H"
         }

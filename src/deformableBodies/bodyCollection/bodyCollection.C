@@ -91,7 +91,6 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
 
     boundary_.reset(new immersedBoundary(grid_, deltaKernel(dict)));
 
-    const bool twoWay = bodyGroup::readTwoWay(dict, "twoWay");
     const Time& time = mesh_.time();
     const bool adjusted =
         time.controlDict().getOrDefault<bool>("adjustTimeStep", false);
@@ -101,21 +100,25 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                           readGravity(),
                           adjusted ? GREAT : time.deltaTValue(),
                           accuracy,
-                          twoWay ? "twoWay" : "oneWay",
+                          bodyGroup::readCoupling(dict, "twoWay"),
                           effects_};
-    bool feedback = false;
+    bool feedback = false, inFluid = false;
     const dictionary& bodies = dict.subDict("bodies");
     for (const word& name : bodies.toc())
     {
         groups_.append(bodyGroup::New(name, bodies.subDict(name), scene).ptr());
         feedback = feedback || groups_.last().twoWay();
+        inFluid = inFluid || !groups_.last().alone();
     }
 
-    effects_.declare("interpolation", !empty(),
-                     deltaKernel::names[boundary_->kernel().type()] +
-                         " kernel at face centres");
+    alone_ = !empty() && !inFluid;
+    effects_.declare("interpolation", inFluid,
+                     inFluid ? deltaKernel::names[boundary_->kernel().type()] +
+                                   " kernel at face centres"
+                             : word("coupling none"));
     effects_.declare("spreading", feedback,
-                     feedback ? "loads act on the fluid" : "coupling oneWay");
+                     feedback ? "loads act on the fluid"
+                              : "coupling oneWay or none");
     scalarList ratios(groups_.size());
     forAll(groups_, g)
     {
@@ -246,6 +249,7 @@ void Foam::bodyCollection::advance(staggeredField& faces)
         return;
     }
 
+    if (!alone_)
     {
         const auto timing(effects_.time("interpolation"));
         label at = 0;

@@ -13,7 +13,7 @@ Foam::bodyGroup::bodyGroup(const word& name, const dictionary& dict,
                            const bodyScene& scene)
     : name_(name),
       nBodies_(0),
-      twoWay_(readTwoWay(dict, scene.coupling)),
+      coupling_(readCoupling(dict, scene.coupling)),
       scene_(scene)
 {
     nBodies_ = readPositions(dict).size();
@@ -25,14 +25,15 @@ Foam::bodyGroup::bodyGroup(const word& name, const dictionary& dict,
     mine_.transfer(mine);
 }
 
-bool Foam::bodyGroup::readTwoWay(const dictionary& dict, const word& otherwise)
+Foam::word Foam::bodyGroup::readCoupling(const dictionary& dict,
+                                         const word& otherwise)
 {
     const word coupling(dict.getOrDefault<word>("coupling", otherwise));
-    if (coupling != "twoWay" && coupling != "oneWay")
+    if (!wordList({"twoWay", "oneWay", "none"}).found(coupling))
     {
-        refuse(dict, "coupling", coupling, "(oneWay twoWay)");
+        refuse(dict, "coupling", coupling, "(none oneWay twoWay)");
     }
-    return coupling == "twoWay";
+    return coupling;
 }
 
 Foam::autoPtr<Foam::bodyGroup> Foam::bodyGroup::New(const word& name,

@@ -26,6 +26,12 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
         viscosityRatio_ = readPositive(dict, "viscosityRatio", dimless);
     }
 
+    if (alone())
+    {
+        refuse(dict, "coupling", "none",
+               "oneWay or twoWay: capsules move with the fluid");
+    }
+
     const label degree = byAccuracy<label>(dict, "harmonics", 12, 16, 24);
     if (degree < 4 || degree > 64)
     {

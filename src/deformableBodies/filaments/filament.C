@@ -67,6 +67,15 @@ bool Foam::filament::tryStep(const scalar dt, const vectorField& f,
     scalarField T(T_);
     bandedMatrix<8> A(n);
     std::vector<double> change(n);
+    // Drag across and along the extrapolated shape
+    List<symmTensor> drag(X.size());
+    forAll(X, i)
+    {
+        const vector t(X[min(i + 1, N)] - X[max(i - 1, label(0))]);
+        drag[i] =
+            c[i] * (symmTensor::I - (1 - all_.dragRatio) / magSqr(t) * sqr(t));
+    }
+
     const auto held = [&](const label i)
     {
         return (i == 0 && all_.ends[0] != FREE) ||
@@ -87,11 +96,16 @@ bool Foam::filament::tryStep(const scalar dt, const vectorField& f,
             V[i] = c0 * X[i] + c1 * X_[i] + c2 * XBefore_[i];
             const vector acceleration(c0 * V[i] + c1 * V_[i] +
                                       c2 * VBefore_[i]);
-            R[i] = w * (all_.mass * acceleration + c[i] * (V[i] - U[i]) - f[i]);
-            const scalar inertia = w * (all_.mass * c0 + c[i]) * c0;
+            R[i] = w * (all_.mass * acceleration + (drag[i] & (V[i] - U[i])) -
+                        f[i]);
+            const tensor inertia(w * c0 *
+                                 (all_.mass * c0 * symmTensor::I + drag[i]));
             for (direction d = 0; d < 3; ++d)
             {
-                A(4 * i + d, 4 * i + d) += inertia;
+                for (direction e = 0; e < 3; ++e)
+                {
+                    A(4 * i + d, 4 * i + e) += inertia(d, e);
+                }
             }
         }
         for (label k = 0; k <= N; ++k)
@@ -249,6 +263,7 @@ void Foam::filament::save(DynamicList<scalar>& state) const
         }
     }
     state.append(T_);
+    state.append(scalar(iterations_));
 }
 
 void Foam::filament::restore(const scalar* state)
@@ -268,4 +283,5 @@ void Foam::filament::restore(const scalar* state)
     {
         T_[i] = *state++;
     }
+    iterations_ = label(*state);
 }
