@@ -15,7 +15,7 @@ filament::properties make(const label N, const scalar rigidity,
                           const filament::endType first,
                           const filament::endType last)
 {
-    filament::properties p{N, 1, 1, rigidity, {}, 1};
+    filament::properties p{N, 1, 1, rigidity, {}, 1, filament::IMPLICIT};
     p.ends[0] = first;
     p.ends[1] = last;
     return p;
@@ -333,6 +333,75 @@ TEST(Filament, DISABLED_cost)
                     int(x.iterations()));
         if (N == 32) test::expectBelow("N = 32, microseconds", us, 30);
     }
+}
+
+// The three schemes on the nonlinear swing, N = 32: largest error of the tip to
+// t = 2 against a small step of the implicit one, and the error of the lengths.
+// Two of second order, the thesis' of first
+TEST(Filament, schemes)
+{
+    const scalar angle = 0.1 * constant::mathematical::pi;
+    const label N = 32;
+    const auto swing = [&](const filament::schemeType scheme, const scalar dt,
+                           scalar& length, scalar& us)
+    {
+        auto p = make(N, 0.01, filament::HINGED, filament::FREE);
+        p.scheme = scheme;
+        filament x(p, Zero, vector(-std::cos(angle), std::sin(angle), 0));
+        std::vector<scalar> tip;
+        length = 0;
+        const label every = label(0.05 / dt + 0.5);
+        const vectorField f(N + 1, vector(-10, 0, 0)), U(N + 1, Zero);
+        const scalarField c(N + 1, Zero);
+        const auto start = std::chrono::steady_clock::now();
+        for (label step = 1; step <= 40 * every; ++step)
+        {
+            if (!x.step(dt, f, c, U)) break;
+            length = max(length, x.lengthError());
+            if (step % every == 0) tip.push_back(x.places()[N].y());
+        }
+        const std::chrono::duration<double> d(std::chrono::steady_clock::now() -
+                                              start);
+        us = 1e6 * d.count() / (40 * every);
+        return tip;
+    };
+
+    scalar length, us;
+    const std::vector<scalar> right(
+        swing(filament::IMPLICIT, 5e-5, length, us));
+    const char* names[3] = {"implicit", "twoStep", "twoStepCentred"};
+    scalar needed[3] = {0, 0, 0};
+    for (int k = 0; k < 3; ++k)
+    {
+        scalar before = 0, order = 0;
+        for (scalar dt = 2.5e-3; dt > 1.5e-4; dt /= 2)
+        {
+            const std::vector<scalar> tip(
+                swing(filament::schemeType(k), dt, length, us));
+            scalar error = tip.size() == right.size() ? 0 : GREAT;
+            for (size_t i = 0; i < tip.size(); ++i)
+            {
+                error = max(error, mag(tip[i] - right[i]));
+            }
+            std::printf("    %-15s dt %.1e: tip %.1e, lengths %.1e, %.1f us a "
+                        "step, %.1f ms\n",
+                        names[k], dt, error, length, us, 2e-3 * us / dt);
+            if (before > 0) order = std::log2(before / error);
+
+            // Time for an error of 1e-3, along the line to the last one
+            if (error < GREAT)
+            {
+                const scalar slope = k == filament::TWO_STEP ? 1 : 0.5;
+                needed[k] = 2e-3 * us / dt * std::pow(error / 1e-3, slope);
+            }
+            before = error;
+        }
+        std::printf("    %-15s order %.2f, %.1f ms for an error of 1e-3\n",
+                    names[k], order, needed[k]);
+        EXPECT_GE(order, k == filament::TWO_STEP ? 0.8 : 1.7);
+    }
+    test::expectBelow("time for 1e-3, implicit over twoStep",
+                      needed[0] / needed[1], 0.1);
 }
 
 // Elastica of a cantilever under its distributed load: q L^3/B = 1, 5, 10; at

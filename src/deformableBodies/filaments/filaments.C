@@ -17,15 +17,22 @@ static const Enum<filament::endType> endNames{
     {filament::HINGED, "hinged"},
     {filament::CLAMPED, "clamped"},
 };
+
+static const Enum<filament::schemeType> schemeNames{
+    {filament::IMPLICIT, "implicit"},
+    {filament::TWO_STEP, "twoStep"},
+    {filament::TWO_STEP_CENTRED, "twoStepCentred"},
+};
 } // namespace Foam
 
 Foam::filaments::filaments(const word& name, const dictionary& dict,
                            const bodyScene& scene)
     : bodyGroup(name, dict, scene)
 {
-    checkEntries(dict, {"type", "length", "diameter", "segments",
-                        "bendingRigidity", "densityRatio", "ends", "positions",
-                        "directions", "gravity", "coupling", "shearPlane"});
+    checkEntries(dict,
+                 {"type", "length", "diameter", "segments", "bendingRigidity",
+                  "densityRatio", "ends", "positions", "directions", "gravity",
+                  "coupling", "shearPlane", "scheme"});
     if (twoWay())
     {
         refuse(dict, "coupling", "twoWay",
@@ -92,6 +99,16 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
                    "off, or a file constant/g with a value");
         }
         weight_ = (ratio - (alone() ? 0 : 1)) * displaced * scene.g;
+    }
+    const word scheme(dict.getOrDefault<word>("scheme", "implicit"));
+    if (!schemeNames.found(scheme))
+    {
+        refuse(dict, "scheme", scheme, "(implicit twoStep twoStepCentred)");
+    }
+    properties_.scheme = schemeNames[scheme];
+    if (!alone() && scheme != "implicit")
+    {
+        refuse(dict, "scheme", scheme, "implicit, or coupling none");
     }
     properties_.dragRatio = 1;
     if (!alone())
