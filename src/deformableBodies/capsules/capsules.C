@@ -49,20 +49,9 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
         refuse(dict, "markerSpacing", Foam::name(spacing), "0.1 to 1");
     }
 
-    const wordList plane(dict.getOrDefault<wordList>("shearPlane", {"x", "y"}));
-    if (plane.size() != 2 || plane[0] == plane[1])
-    {
-        refuse(dict, "shearPlane", Foam::name(plane.size()) + " words",
-               "two different ones of x y z");
-    }
-    forAll(plane, k)
-    {
-        const label d = wordList({"x", "y", "z"}).find(plane[k]);
-        if (d < 0) refuse(dict, "shearPlane", plane[k], "two of x y z");
-        shearPlane_[k] = d;
-    }
+    shearPlane_ = readShearPlane(dict);
 
-    const bool heavy = dict.getOrDefault<bool>("gravity", false);
+    const bool heavy = readGravity(dict);
     if (heavy != dict.found("densityRatio"))
     {
         refuse(dict, "gravity", heavy ? "on" : "off",
@@ -71,11 +60,6 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
     }
     if (heavy)
     {
-        if (scene.g == vector::zero)
-        {
-            refuse(dict, "gravity", "on",
-                   "off, or a file constant/g with a value");
-        }
         const scalar ratio = readPositive(dict, "densityRatio", dimless);
         weight_ = (ratio - 1) * scene.rho * scene.g;
     }
@@ -294,29 +278,18 @@ void Foam::capsules::checkFits(const dictionary& dict, const label body,
     atMarkers(x, points.data(), 1);
     const boundBox bounds(points, false);
     const vector length(scene_.grid.length());
-    const vector lo(scene_.grid.origin()), hi(lo + length);
     for (direction d = 0; d < 3; ++d)
     {
-        const string name(vector::componentNames[d]);
         if (bounds.span()[d] >= length[d])
         {
             FatalIOErrorInFunction(dict)
                 << "body " << body << " is larger than the box: it spans "
-                << bounds.span()[d] << " in direction " << name.c_str() << nl
-                << "    allowed: less than " << length[d] << exit(FatalIOError);
-        }
-        if (!scene_.grid.periodic(d) &&
-            (bounds.min()[d] < lo[d] || bounds.max()[d] > hi[d]))
-        {
-            FatalIOErrorInFunction(dict)
-                << "entry positions: body " << body
-                << " reaches through a wall of the box: it extends from "
-                << bounds.min()[d] << " to " << bounds.max()[d]
-                << " in direction " << name.c_str() << nl
-                << "    allowed: " << lo[d] << " to " << hi[d]
-                << exit(FatalIOError);
+                << bounds.span()[d] << " in direction "
+                << vector::componentNames[d] << nl << "    allowed: less than "
+                << length[d] << exit(FatalIOError);
         }
     }
+    checkWalls(dict, body, bounds);
 }
 
 Foam::label Foam::capsules::nMarkers() const

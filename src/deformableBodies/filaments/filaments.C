@@ -71,18 +71,7 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
         properties_.ends[e] = endNames[ends[e]];
     }
 
-    const wordList plane(dict.getOrDefault<wordList>("shearPlane", {"x", "y"}));
-    if (plane.size() != 2 || plane[0] == plane[1])
-    {
-        refuse(dict, "shearPlane", Foam::name(plane.size()) + " words",
-               "two different ones of x y z");
-    }
-    forAll(plane, k)
-    {
-        const label d = wordList({"x", "y", "z"}).find(plane[k]);
-        if (d < 0) refuse(dict, "shearPlane", plane[k], "two of x y z");
-        shearPlane_[k] = d;
-    }
+    shearPlane_ = readShearPlane(dict);
 
     // Mass, weight, drag
     const scalar displaced =
@@ -91,13 +80,8 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
                              ? readPositive(dict, "densityRatio", dimless)
                              : 1;
     properties_.mass = ratio * displaced;
-    if (dict.getOrDefault<bool>("gravity", false))
+    if (readGravity(dict))
     {
-        if (scene.g == vector::zero)
-        {
-            refuse(dict, "gravity", "on",
-                   "off, or a file constant/g with a value");
-        }
         weight_ = (ratio - (alone() ? 0 : 1)) * displaced * scene.g;
     }
     const word scheme(dict.getOrDefault<word>("scheme", "implicit"));
@@ -157,22 +141,10 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
 void Foam::filaments::checkFits(const dictionary& dict, const filament& x,
                                 const label body) const
 {
-    const boundBox bounds(x.places(), false);
+    checkWalls(dict, body, boundBox(x.places(), false));
     const vector L(scene_.grid.length());
-    const vector lo(scene_.grid.origin()), hi(lo + L);
     for (direction d = 0; d < 3; ++d)
     {
-        if (!scene_.grid.periodic(d) &&
-            (bounds.min()[d] < lo[d] || bounds.max()[d] > hi[d]))
-        {
-            FatalIOErrorInFunction(dict)
-                << "entry positions: body " << body
-                << " reaches through a wall of the box: it extends from "
-                << bounds.min()[d] << " to " << bounds.max()[d]
-                << " in direction " << vector::componentNames[d] << nl
-                << "    allowed: " << lo[d] << " to " << hi[d]
-                << exit(FatalIOError);
-        }
         if (body == 0 && scene_.grid.periodic(d) &&
             properties_.length > 0.5 * L[d])
         {
