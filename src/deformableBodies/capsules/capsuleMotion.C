@@ -1,0 +1,203 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+// How a capsule moves with the fluid
+
+#include "capsules.H"
+#include "dictionaryChecks.H"
+
+void Foam::capsules::setMotion(const dictionary& dict)
+{
+    const membraneModel& law = membrane_->model();
+    const scalar modulus = bending_ ? bending_->modulus() : 0;
+    stabilised_.reset(new stabilisedMotion(
+        *markerGrid_, 0.25 * (law.shearModulus() + law.areaModulus()), modulus,
+        0.5 * (1 + viscosityRatio_) * scene_.mu, radius_));
+
+    // Of Adams-Bashforth 2 and the fastest harmonic; as the mesh smooths it, at
+    // least four times that is stable (tests/bench/stability)
+    maxDeltaT_ = 4 / stabilised_->fastest();
+
+    word motion(dict.getOrDefault<word>("motion", "auto"));
+    string note("motion " + motion);
+    if (motion == "auto")
+    {
+        // Re/Ca_G, whatever the rate
+        const scalar inertia =
+            scene_.rho * radius_ * law.shearModulus() / sqr(scene_.mu);
+        if (scene_.deltaT <= maxDeltaT_)
+        {
+            motion = "explicit";
+            note = "not needed up to deltaT = " + Foam::name(maxDeltaT_);
+        }
+        else if (inertia < 30)
+        {
+            motion = "stabilised";
+        }
+        else
+        {
+            motion = "explicit";
+            note = "too much inertia: Re/Ca = " + Foam::name(inertia) +
+                   ", limit 30";
+        }
+    }
+    if (motion == "stabilised")
+    {
+        maxDeltaT_ = GREAT;
+        note = "steps larger than explicit motion bears";
+    }
+    else if (motion == "explicit")
+    {
+        stabilised_.reset();
+    }
+    else if (motion == "penalty")
+    {
+        const scalar thickness = dict.found("thickness")
+                                     ? readPositive(dict, "thickness", dimless)
+                                     : 0.01;
+        stabilised_.reset();
+        penalty_.reset(
+            new penaltyMotion(thickness * scene_.rho * radius_, radius_));
+
+        // Waves of area are the stiffest in the plane
+        const scalar N = markerGrid_->degree(), bend = N * (N + 3) / radius_;
+        maxDeltaT_ = penalty_->maxDeltaT(
+            (law.shearModulus() + law.areaModulus()) * N * (N + 1) +
+            modulus * bend * bend);
+    }
+    else
+    {
+        refuse(dict, "motion", motion, "(auto explicit stabilised penalty)");
+    }
+    scene_.effects.declare("stabilised", bool(stabilised_), note);
+    scene_.effects.declare("penalty", bool(penalty_),
+                           penalty_ ? "elastic points beside those of the fluid"
+                                    : "motion " + motion);
+}
+
+void Foam::capsules::volumeGradient(const numbers& x, numbers& g) const
+{
+    const sphericalHarmonics& grid = membrane_->harmonics();
+    const label n = grid.nPoints();
+    grid.gradient(x.data(), xt_.data(), xp_.data());
+    for (label k = 0; k < n; ++k)
+    {
+        for (label c = 0; c < 3; ++c)
+        {
+            const label a = ((c + 1) % 3) * n + k, b = ((c + 2) % 3) * n + k;
+            onGrid_[c * n + k] = xt_[a] * xp_[b] - xt_[b] * xp_[a];
+        }
+    }
+    grid.analysis(onGrid_.data(), g.data());
+}
+
+Foam::string Foam::capsules::move(const vector* U, const scalar dt)
+{
+    const auto timing(scene_.effects.time("membrane"));
+    const label n = markerGrid_->nPoints();
+    numbers velocity(coeffs_.size()), g(coeffs_.size());
+    string trouble;
+
+    for (size_t i = 0; i < capsules_.size(); ++i, U += n)
+    {
+        capsule& c = capsules_[i];
+        for (label k = 0; k < n; ++k)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                onMarkers_[d * n + k] = U[k][d];
+            }
+        }
+        markerGrid_->analysis(onMarkers_.data(), velocity.data());
+
+        // Zero net flow through the membrane, int U.n dS = 0: the change of
+        // the enclosed volume is g.v
+        volumeGradient(c.x, g);
+        double gv = 0, gg = 0;
+        for (size_t j = 0; j < g.size(); ++j)
+        {
+            gv += g[j] * velocity[j];
+            gg += g[j] * g[j];
+        }
+        const double r = c.lastDeltaT > 0 ? dt / c.lastDeltaT : 0;
+        bool finite = true;
+        for (size_t j = 0; j < g.size(); ++j)
+        {
+            velocity[j] -= gv / gg * g[j];
+            const double step =
+                dt * ((1 + 0.5 * r) * velocity[j] - 0.5 * r * c.velocity[j]);
+            finite = finite && std::abs(step) < GREAT;
+            coeffs_[j] = c.x[j] + step;
+        }
+        if (stabilised_ && finite)
+        {
+            const auto timing(scene_.effects.time("stabilised"));
+            stabilised_->apply(
+                c.x, c.previous, coeffs_, dt, r, referenceVolume_,
+                [&](const numbers& x, numbers& dV) { volumeGradient(x, dV); },
+                *markerGrid_);
+        }
+
+        for (size_t j = 0; j < filter_.size(); ++j)
+        {
+            coeffs_[j] *= filter_[j];
+        }
+
+        // The last good state stays in place where the new one is none
+        const string wrong(finite ? check(coeffs_)
+                                  : string("marker velocity is not finite"));
+        if (!wrong.empty())
+        {
+            trouble = "body " + Foam::name(mine()[i]) + " of group " + name() +
+                      ": " + wrong;
+            c.xMid = c.x;
+            continue;
+        }
+        if (penalty_)
+        {
+            const auto timing(scene_.effects.time("penalty"));
+            numbers elastic(c.x);
+            for (size_t j = 0; j < elastic.size(); ++j)
+            {
+                elastic[j] += c.lag[j];
+            }
+            c.load.resize(elastic.size());
+            load(elastic, c.load);
+            penalty_->apply(c.lag, c.lagBefore, c.load, dt, r);
+        }
+        for (size_t j = 0; j < g.size(); ++j)
+        {
+            c.xMid[j] = 0.5 * (c.x[j] + coeffs_[j]);
+        }
+        if (stabilised_) c.previous = c.x;
+        c.x = coeffs_;
+        c.velocity = velocity;
+        c.lastDeltaT = dt;
+    }
+    return trouble;
+}
+
+Foam::string Foam::capsules::check(const numbers& x) const
+{
+    const membrane::extremes e(membrane_->stretches(x.data()));
+    if (!(e.stretch < 50))
+    {
+        return "largest stretch " + Foam::name(e.stretch) + ", limit 50";
+    }
+    if (!(e.area > 0.01))
+    {
+        const sphericalHarmonics& grid = membrane_->harmonics();
+        const label n = grid.nPoints();
+        grid.values(x.data(), onGrid_.data());
+        OStringStream where;
+        where << vector(onGrid_[e.where], onGrid_[n + e.where],
+                        onGrid_[2 * n + e.where]);
+        return "the membrane collapses at " + where.str() + ": its area is " +
+               Foam::name(e.area) + " of the stress-free one, limit 0.01";
+    }
+    return "";
+}
+
+Foam::scalar Foam::capsules::maxDeltaT() const
+{
+    return maxDeltaT_;
+}
