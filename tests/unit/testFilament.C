@@ -31,7 +31,7 @@ void run(filament& x, const scalar dt, const label n, const vector& force,
     const scalarField c(size, drag);
     for (label i = 1; i <= n; ++i)
     {
-        ASSERT_TRUE(x.step(dt, f, c, U)) << "step " << i;
+        ASSERT_TRUE(x.step(dt, {f, c, U})) << "step " << i;
         sees(x, i * dt);
     }
 }
@@ -241,7 +241,7 @@ TEST(Filament, flutter)
             }
             if (step < 20) f[N].y() += 0.1;
             before = x.places();
-            ASSERT_TRUE(x.step(2e-4, f, c, U));
+            ASSERT_TRUE(x.step(2e-4, {f, c, U}));
             const scalar y = mag(x.places()[N].y());
             if (step > 2000 && step <= 5000) early = max(early, y);
             if (step > 5000) late = max(late, y);
@@ -356,7 +356,7 @@ TEST(Filament, schemes)
         const auto start = std::chrono::steady_clock::now();
         for (label step = 1; step <= 40 * every; ++step)
         {
-            if (!x.step(dt, f, c, U)) break;
+            if (!x.step(dt, {f, c, U})) break;
             length = max(length, x.lengthError());
             if (step % every == 0) tip.push_back(x.places()[N].y());
         }
@@ -429,8 +429,8 @@ TEST(Filament, cantilever)
             if (c.point) f[N] = load / (0.5 * p.ds());
             for (label step = 0; step < 400; ++step)
             {
-                ASSERT_TRUE(x.step(0.05, f, scalarField(N + 1, 10),
-                                   vectorField(N + 1, Zero)));
+                ASSERT_TRUE(x.step(0.05, {f, scalarField(N + 1, 10),
+                                   vectorField(N + 1, Zero)}));
             }
             const vector tip(x.places()[N]);
             const scalar error =

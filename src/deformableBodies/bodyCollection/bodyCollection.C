@@ -87,21 +87,19 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
         IOobject("transportProperties", mesh_.time().constant(), mesh_,
                  IOobject::MUST_READ, IOobject::NO_WRITE, false));
     rho_ = readPositive(transport, "rho", dimDensity);
-    const scalar nu = readPositive(transport, "nu", dimViscosity);
+    nu_ = readPositive(transport, "nu", dimViscosity);
 
     boundary_.reset(new immersedBoundary(grid_, deltaKernel(dict)));
 
     const Time& time = mesh_.time();
     const bool adjusted =
         time.controlDict().getOrDefault<bool>("adjustTimeStep", false);
-    const bodyScene scene{grid_,
-                          rho_,
-                          rho_ * nu,
-                          readGravity(),
-                          adjusted ? GREAT : time.deltaTValue(),
-                          accuracy,
-                          bodyGroup::readCoupling(dict, "twoWay"),
-                          effects_};
+    const bodyScene scene{
+        grid_,         boundary_->kernel(),
+        rho_,          rho_ * nu_,
+        readGravity(), adjusted ? GREAT : time.deltaTValue(),
+        accuracy,      bodyGroup::readCoupling(dict, "twoWay"),
+        effects_};
     bool feedback = false, inFluid = false;
     const dictionary& bodies = dict.subDict("bodies");
     for (const word& name : bodies.toc())
@@ -132,7 +130,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
             refuse(transport, "transportModel", model,
                    "Newtonian where bodies have a viscosityRatio");
         }
-        contrast_.reset(new viscosityContrast(mesh_, nu, ratios));
+        contrast_.reset(new viscosityContrast(mesh_, nu_, ratios));
     }
     effects_.declare("viscosityRatio", bool(contrast_),
                      contrast_ ? "up to " + Foam::name(max(ratios)) +
@@ -140,15 +138,6 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                                : string("same fluid inside"));
     effects_.declare("interactions", false, "none given");
     readLoads(dict.subOrEmptyDict("loads"));
-
-    label n = 0;
-    forAll(groups_, g)
-    {
-        n += groups_[g].nMarkers();
-    }
-    X_.setSize(n);
-    U_.setSize(n);
-    F_.setSize(n);
 }
 
 void Foam::bodyCollection::readLoads(const dictionary& loads)
@@ -249,53 +238,140 @@ void Foam::bodyCollection::advance(staggeredField& faces)
         return;
     }
 
+    const labelList now(groupsThat(false)), later(groupsThat(true));
+    const scalar dt = time.deltaTValue();
+    if (time.timeIndex() % sampleInterval_ == 0) observe(faces);
     if (!alone_)
     {
         const auto timing(effects_.time("interpolation"));
-        label at = 0;
-        forAll(groups_, g)
+        X_.setSize(nMarkers(now));
+        vector* X = X_.data();
+        for (const label g : now)
         {
-            groups_[g].markers(X_.data() + at);
-            at += groups_[g].nMarkers();
+            groups_[g].markers(X, dt);
+            X += groups_[g].nMarkers();
         }
         boundary_->interpolate(X_, faces, U_);
     }
 
     if (contrast_) updateViscosity(faces);
 
-    label at = 0, used = 0;
-    string trouble;
+    // Diffusion in a solver of which no more is known
+    const scalar number = nu_ * dt / std::pow(grid_.cellVolume(), 2.0 / 3);
+    move(now, false, bodyStep::keptAt(number));
+
+    // Those that wait: their markers for this step, and the last force there
+    for (const label g : later)
+    {
+        X_.setSize(groups_[g].nMarkers());
+        groups_[g].markers(X_.data(), dt);
+    }
+    faces.clear();
+    collectLoads(identity(groups_.size()));
+    spread(faces);
+
+    if (later.empty() && time.timeIndex() % sampleInterval_ == 0)
+    {
+        sample(time.value());
+    }
+}
+
+void Foam::bodyCollection::correct(staggeredField& faces, const scalar kept)
+{
+    const labelList later(groupsThat(true));
+    collectLoads(later);
+    {
+        const auto timing(effects_.time("interpolation"));
+        boundary_->interpolate(X_, faces, U_);
+    }
+    const vectorField before(F_);
+    move(later, true, kept);
+    collectLoads(later);
+    F_ -= before;
+    faces.clear();
+    spread(faces);
+
+    const Time& time = mesh_.time();
+    if (time.timeIndex() % sampleInterval_ == 0) sample(time.value());
+}
+
+Foam::labelList Foam::bodyCollection::groupsThat(const bool wait) const
+{
+    DynamicList<label> which;
+    forAll(groups_, g)
+    {
+        if ((solverPredicts_ && groups_[g].forces()) == wait) which.append(g);
+    }
+    return labelList(std::move(which));
+}
+
+Foam::label Foam::bodyCollection::nMarkers(const labelList& groups) const
+{
+    label n = 0;
+    for (const label g : groups)
+    {
+        n += groups_[g].nMarkers();
+    }
+    return n;
+}
+
+void Foam::bodyCollection::observe(const staggeredField& u)
+{
     forAll(groups_, g)
     {
         bodyGroup& group = groups_[g];
-        const string t(group.move(U_.cdata() + at, time.deltaTValue()));
-        if (trouble.empty()) trouble = t;
-        at += group.nMarkers();
+        if (!group.forces()) continue;
+        const auto timing(effects_.time("interpolation"));
+        X_.setSize(group.nMarkers());
+        group.markers(X_.data(), 0);
+        boundary_->interpolate(X_, u, U_);
+        group.observe(U_.cdata());
+    }
+}
 
-        if (group.twoWay())
-        {
-            group.loads(X_.data() + used, F_.data() + used,
-                        time.value() - 0.5 * time.deltaTValue());
-            used += group.nMarkers();
-        }
+void Foam::bodyCollection::move(const labelList& groups, const bool predicted,
+                                const scalar kept)
+{
+    const Time& time = mesh_.time();
+    const bodyStep step{time.value(), time.deltaTValue(), predicted, kept};
+    const vector* U = U_.cdata();
+    string trouble;
+    for (const label g : groups)
+    {
+        const string t(groups_[g].move(U, step));
+        if (trouble.empty()) trouble = t;
+        U += groups_[g].nMarkers();
     }
     if (returnReduce(!trouble.empty(), orOp<bool>())) stop(trouble);
+}
 
-    faces.clear();
-    if (returnReduce(used, maxOp<label>()))
+void Foam::bodyCollection::collectLoads(const labelList& groups)
+{
+    DynamicList<label> acting;
+    for (const label g : groups)
     {
-        const auto timing(effects_.time("spreading"));
-        const scalar perMass = 1 / rho_;
-        for (label k = 0; k < used; ++k)
-        {
-            F_[k] *= perMass;
-        }
-        const vectorField F(SubField<vector>(F_, used));
-        boundary_->spread(vectorField(SubField<vector>(X_, used)), F, faces);
-        if (periodicBox()) removeMean(F, faces);
+        if (groups_[g].twoWay()) acting.append(g);
     }
+    X_.setSize(nMarkers(acting));
+    F_.setSize(X_.size());
+    const scalar middle =
+        mesh_.time().value() - 0.5 * mesh_.time().deltaTValue();
+    label at = 0;
+    for (const label g : acting)
+    {
+        groups_[g].loads(X_.data() + at, F_.data() + at, middle);
+        at += groups_[g].nMarkers();
+    }
+}
 
-    if (time.timeIndex() % sampleInterval_ == 0) sample(time.value());
+void Foam::bodyCollection::spread(staggeredField& faces)
+{
+    if (!returnReduce(X_.size(), maxOp<label>())) return;
+
+    const auto timing(effects_.time("spreading"));
+    F_ *= 1 / rho_;
+    boundary_->spread(X_, F_, faces);
+    if (periodicBox()) removeMean(F_, faces);
 }
 
 void Foam::bodyCollection::updateViscosity(staggeredField& work)
@@ -304,7 +380,7 @@ void Foam::bodyCollection::updateViscosity(staggeredField& work)
     label at = 0, used = 0;
     scalar excess = 0;
     vectorField X(X_.size()), G(X_.size());
-    forAll(groups_, g)
+    for (const label g : groupsThat(false))
     {
         const bodyGroup& group = groups_[g];
         const label n = group.nMarkers();

@@ -90,8 +90,9 @@ void Foam::capsules::volumeGradient(const numbers& x, numbers& g) const
     grid.analysis(onGrid_.data(), g.data());
 }
 
-Foam::string Foam::capsules::move(const vector* U, const scalar dt)
+Foam::string Foam::capsules::move(const vector* U, const bodyStep& s)
 {
+    const scalar dt = s.dt;
     const auto timing(scene_.effects.time("membrane"));
     const label n = markerGrid_->nPoints();
     numbers velocity(coeffs_.size()), g(coeffs_.size());

@@ -240,7 +240,7 @@ void Foam::capsules::atMarkers(const numbers& coeffs, vector* v,
     }
 }
 
-void Foam::capsules::markers(vector* X) const
+void Foam::capsules::markers(vector* X, scalar)
 {
     for (const capsule& c : capsules_)
     {

@@ -23,9 +23,12 @@ Foam::filament::filament(const properties& all, const vectorField& nodes)
       V_(nodes.size(), Zero),
       XBefore_(nodes),
       VBefore_(nodes.size(), Zero),
-      T_(nodes.size() - 1, Zero)
+      T_(nodes.size() - 1, Zero),
+      meanV_(nodes.size(), Zero)
 {
     const label N = all_.segments;
+    base_[0] = X_[0];
+    base_[1] = X_[N];
     clamp_[0] = (X_[1] - X_[0]) / mag(X_[1] - X_[0]);
     clamp_[1] = (X_[N] - X_[N - 1]) / mag(X_[N] - X_[N - 1]);
 }
@@ -63,8 +66,19 @@ void Foam::filament::bends(Visit visit) const
     }
 }
 
-bool Foam::filament::tryStep(const scalar dt, const vectorField& f,
-                             const scalarField& c, const vectorField& U)
+Foam::vector Foam::filament::heldPlace(const label i, const scalar dt) const
+{
+    return X_[i] +
+           min(dt / timeLeft_, scalar(1)) * (base_[i == 0 ? 0 : 1] - X_[i]);
+}
+
+Foam::vectorField Foam::filament::ahead(const scalar dt) const
+{
+    const scalar r = lastDeltaT_ > 0 ? dt / lastDeltaT_ : 0;
+    return X_ + dt * V_ + 0.5 * r * dt * (V_ - VBefore_);
+}
+
+bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
 {
     const label N = all_.segments, n = 4 * N + 3;
     const scalar ds = all_.ds(), stiffness = all_.rigidity / pow3(ds);
@@ -77,8 +91,7 @@ bool Foam::filament::tryStep(const scalar dt, const vectorField& f,
     const scalar c2 = first ? 0 : sqr(r) / ((1 + r) * dt);
 
     // Newton's method from an extrapolation
-    vectorField X(X_ + dt * V_ + (first ? 0 : 0.5 * r) * dt * (V_ - VBefore_)),
-        V(X.size()), R(X.size());
+    vectorField X(ahead(dt)), V(X.size()), R(X.size());
     scalarField T(T_);
     bandedMatrix<8> A(n);
     std::vector<double> change(n);
@@ -87,13 +100,13 @@ bool Foam::filament::tryStep(const scalar dt, const vectorField& f,
     forAll(X, i)
     {
         const vector t(X[min(i + 1, N)] - X[max(i - 1, label(0))]);
-        drag[i] =
-            c[i] * (symmTensor::I - (1 - all_.dragRatio) / magSqr(t) * sqr(t));
+        drag[i] = s.drag[i] *
+                  (symmTensor::I - (1 - all_.dragRatio) / magSqr(t) * sqr(t));
     }
 
     forAll(X, i)
     {
-        if (held(i)) X[i] = X_[i];
+        if (held(i)) X[i] = heldPlace(i, dt);
     }
 
     for (label iteration = 0; iteration < 12; ++iteration)
@@ -106,8 +119,8 @@ bool Foam::filament::tryStep(const scalar dt, const vectorField& f,
             V[i] = c0 * X[i] + c1 * X_[i] + c2 * XBefore_[i];
             const vector acceleration(c0 * V[i] + c1 * V_[i] +
                                       c2 * VBefore_[i]);
-            R[i] = w * (all_.mass * acceleration + (drag[i] & (V[i] - U[i])) -
-                        f[i]);
+            R[i] = w * (all_.mass * acceleration + (drag[i] & (V[i] - s.U[i])) -
+                        s.force[i]);
             const tensor inertia(w * c0 *
                                  (all_.mass * c0 * symmTensor::I + drag[i]));
             for (direction d = 0; d < 3; ++d)
@@ -140,15 +153,22 @@ bool Foam::filament::tryStep(const scalar dt, const vectorField& f,
         for (label i = 0; i < N; ++i)
         {
             const vector t((X[i + 1] - X[i]) / ds);
-            R[i] -= T[i] * t;
-            R[i + 1] += T[i] * t;
+            vector pull(T[i] * t);
+            scalar answer = T[i] / ds;
+            if (s.shear.size())
+            {
+                pull += s.couple * (s.shear[i] + (V[i + 1] - V[i]) / ds);
+                answer += s.couple * c0 / ds;
+            }
+            R[i] -= pull;
+            R[i + 1] += pull;
             for (direction d = 0; d < 3; ++d)
             {
                 const label a = 4 * i + d, b = a + 4, k = 4 * i + 3;
-                A(a, a) += T[i] / ds;
-                A(b, b) += T[i] / ds;
-                A(a, b) -= T[i] / ds;
-                A(b, a) -= T[i] / ds;
+                A(a, a) += answer;
+                A(b, b) += answer;
+                A(a, b) -= answer;
+                A(b, a) -= answer;
                 A(a, k) -= t[d];
                 A(b, k) += t[d];
                 A(k, a) -= t[d];
@@ -194,6 +214,8 @@ bool Foam::filament::tryStep(const scalar dt, const vectorField& f,
             X_ = X;
             T_ = T;
             lastDeltaT_ = dt;
+            meanV_ += dt * V_;
+            timeLeft_ -= dt;
             return true;
         }
     }
@@ -317,7 +339,7 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
                 A(i, j) = 0;
             }
             A(i, i) = 1;
-            b[i] = X_[i];
+            b[i] = heldPlace(i, dt);
         }
         for (direction d = 0; d < 3; ++d)
         {
@@ -333,28 +355,30 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
         X_[i] = vector(X[3 * i], X[3 * i + 1], X[3 * i + 2]);
     }
     V_ = (X_ - XBefore_) / dt;
+    meanV_ = dt * V_;
     std::copy(T.begin(), T.end(), T_.begin());
     lastDeltaT_ = dt;
     iterations_ = 1;
     return lengthError() < 0.5;
 }
 
-bool Foam::filament::stepWithin(const scalar dt, const vectorField& f,
-                                const scalarField& c, const vectorField& U,
+bool Foam::filament::stepWithin(const scalar dt, const surroundings& s,
                                 const label depth)
 {
-    if (tryStep(dt, f, c, U)) return true;
-    return depth > 0 && stepWithin(0.5 * dt, f, c, U, depth - 1) &&
-           stepWithin(0.5 * dt, f, c, U, depth - 1);
+    if (tryStep(dt, s)) return true;
+    return depth > 0 && stepWithin(0.5 * dt, s, depth - 1) &&
+           stepWithin(0.5 * dt, s, depth - 1);
 }
 
-bool Foam::filament::step(const scalar dt, const vectorField& f,
-                          const scalarField& c, const vectorField& U)
+bool Foam::filament::step(const scalar dt, const surroundings& s)
 {
     iterations_ = 0;
+    timeLeft_ = dt;
+    meanV_ = Zero;
     const filament before(*this);
-    if (all_.scheme == IMPLICIT ? stepWithin(dt, f, c, U, 6) : twoStep(dt, f))
+    if (all_.scheme == IMPLICIT ? stepWithin(dt, s, 6) : twoStep(dt, s.force))
     {
+        meanV_ /= dt;
         return true;
     }
     X_ = before.X_;

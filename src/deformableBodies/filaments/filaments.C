@@ -9,6 +9,9 @@
 
 namespace Foam
 {
+// Points of the couple this many cells from the line; K/(mu h^2)
+static const scalar coupleRadius = 1, coupleOfLine = 3.45;
+
 defineTypeNameAndDebug(filaments, 0);
 addToRunTimeSelectionTable(bodyGroup, filaments, dictionary);
 
@@ -29,15 +32,10 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
                            const bodyScene& scene)
     : bodyGroup(name, dict, scene)
 {
-    checkEntries(dict,
-                 {"type", "length", "diameter", "segments", "bendingRigidity",
-                  "densityRatio", "ends", "positions", "directions", "gravity",
-                  "coupling", "shearPlane", "scheme"});
-    if (twoWay())
-    {
-        refuse(dict, "coupling", "twoWay",
-               "oneWay or none; filaments do not act on the fluid yet");
-    }
+    checkEntries(dict, {"type", "length", "diameter", "segments",
+                        "bendingRigidity", "densityRatio", "ends", "positions",
+                        "directions", "gravity", "coupling", "shearPlane",
+                        "scheme", "thicknessCouple", "baseMotion"});
 
     properties_.length = readPositive(dict, "length", dimLength);
     const scalar diameter = readPositive(dict, "diameter", dimLength);
@@ -73,16 +71,20 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
 
     shearPlane_ = readShearPlane(dict);
 
-    // Mass, weight, drag
-    const scalar displaced =
-        scene.rho * constant::mathematical::pi * sqr(radius_);
+    // Mass and weight. In two-way coupling the fluid in its place is solved
+    displaced_ = scene.rho * constant::mathematical::pi * sqr(radius_);
     const scalar ratio = dict.found("densityRatio")
                              ? readPositive(dict, "densityRatio", dimless)
                              : 1;
-    properties_.mass = ratio * displaced;
+    if (twoWay() && ratio < 1)
+    {
+        refuse(dict, "densityRatio", Foam::name(ratio),
+               "1 and greater in two-way coupling");
+    }
+    properties_.mass = (ratio - (twoWay() ? 1 : 0)) * displaced_;
     if (readGravity(dict))
     {
-        weight_ = (ratio - (alone() ? 0 : 1)) * displaced * scene.g;
+        weight_ = (ratio - (alone() ? 0 : 1)) * displaced_ * scene.g;
     }
     const word scheme(dict.getOrDefault<word>("scheme", "implicit"));
     if (!schemeNames.found(scheme))
@@ -94,21 +96,7 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
     {
         refuse(dict, "scheme", scheme, "implicit, or coupling none");
     }
-    properties_.dragRatio = 1;
-    if (!alone())
-    {
-        const scalar slender = std::log(properties_.length / radius_);
-        if (slender < 1)
-        {
-            refuse(dict, "diameter", Foam::name(diameter),
-                   "less than " +
-                       Foam::name(2 * properties_.length / std::exp(1.0)) +
-                       " at this length, for the drag of a slender body");
-        }
-        const scalar pi = constant::mathematical::pi;
-        drag_ = 4 * pi * scene.mu / (slender + 0.193);
-        properties_.dragRatio = 2 * pi * scene.mu / (slender - 0.807) / drag_;
-    }
+    readCouplingEntries(dict, diameter);
 
     const pointField positions(readPositions(dict));
     const vectorField directions(dict.lookup("directions"));
@@ -126,7 +114,12 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
         }
         const filament x(properties_, positions[body], directions[body]);
         checkFits(dict, x, body);
-        if (mine().found(body)) filaments_.push_back(x);
+        if (!mine().found(body)) continue;
+        filaments_.push_back({x, vectorField(alone() ? 0 : nNodes(), Zero),
+                              vectorField(markersEach()),
+                              vectorField(twoWay() ? markersEach() : 0, Zero),
+                              x.places()[movedEnd() * properties_.segments],
+                              0});
     }
 
     scene_.effects.declare("filament", true,
@@ -136,6 +129,68 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
     scene_.effects.declare("gravity", weight_ != vector::zero,
                            weight_ != vector::zero ? "weight of the filaments"
                                                    : "none on the bodies");
+}
+
+// What joins them to the fluid: drag, markers, thickness
+void Foam::filaments::readCouplingEntries(const dictionary& dict,
+                                          const scalar diameter)
+{
+    properties_.dragRatio = 1;
+    if (dict.found("baseMotion"))
+    {
+        const dictionary& motion = dict.subDict("baseMotion");
+        checkEntries(motion, {"displacement"});
+        if (properties_.ends[movedEnd()] == filament::FREE)
+        {
+            refuse(dict, "ends", "(free free)",
+                   "one end hinged or clamped beside baseMotion");
+        }
+        base_ = Function1<vector>::New("displacement", motion);
+    }
+    if (alone()) return;
+
+    const scalar pi = constant::mathematical::pi, L = properties_.length;
+    const scalar h = std::cbrt(scene_.grid.cellVolume());
+    const scalar thick =
+        twoWay() ? 2 * scene_.kernel.lineRadius() * h : diameter;
+    const scalar slender = std::log(2 * L / thick);
+    if (slender < 1)
+    {
+        refuse(dict, twoWay() ? "length" : "diameter",
+               Foam::name(twoWay() ? L : diameter),
+               twoWay() ? "more than 3 cells, as it is 1.5 to 2 cells thick"
+                        : "less than " + Foam::name(2 * L / std::exp(1.0)) +
+                              " at this length, for the drag of a slender "
+                              "body");
+    }
+    if (!twoWay())
+    {
+        drag_ = 4 * pi * scene_.mu / (slender + 0.193);
+        properties_.dragRatio = 2 * pi * scene_.mu / (slender - 0.807) / drag_;
+    }
+    else if (properties_.ds() > 1.25 * h)
+    {
+        IOWarningInFunction(dict)
+            << "segments are " << properties_.ds() / h
+            << " cells long: fluid passes between the nodes above 1.25; "
+            << "take at least " << label(L / h) << " segments" << endl;
+    }
+
+    const bool on = dict.getOrDefault<bool>("thicknessCouple", L < 50 * thick);
+    if (on)
+    {
+        const scalar r = L / thick, re = 1.24 * r / std::sqrt(std::log(r));
+        couple_.reset(
+            new thicknessCouple(properties_.segments, properties_.ds(),
+                                twoWay() ? scene_.mu * sqr(h) * coupleOfLine
+                                         : drag_ * sqr(L / re) / 12,
+                                coupleRadius * h));
+    }
+    scene_.effects.declare("thicknessCouple", on,
+                           Foam::name(L / thick) + " diameters of " +
+                               (twoWay() ? Foam::name(thick / h) + " cells"
+                                         : Foam::name(thick) + " m") +
+                               " long");
 }
 
 void Foam::filaments::checkFits(const dictionary& dict, const filament& x,
@@ -156,156 +211,4 @@ void Foam::filaments::checkFits(const dictionary& dict, const filament& x,
                 << endl;
         }
     }
-}
-
-Foam::label Foam::filaments::nMarkers() const
-{
-    return alone() ? 0 : label(filaments_.size()) * nNodes();
-}
-
-void Foam::filaments::markers(vector* X) const
-{
-    if (alone()) return;
-    for (const filament& x : filaments_)
-    {
-        X = std::copy(x.places().begin(), x.places().end(), X);
-    }
-}
-
-Foam::string Foam::filaments::move(const vector* U, const scalar dt)
-{
-    const auto timing(scene_.effects.time("filament"));
-    const label n = nNodes();
-    const vectorField f(n, weight_);
-    const scalarField c(n, drag_);
-    vectorField u(n, Zero);
-    string trouble;
-    for (size_t i = 0; i < filaments_.size(); ++i)
-    {
-        if (!alone())
-        {
-            std::copy(U, U + n, u.begin());
-            U += n;
-        }
-        if (!filaments_[i].step(dt, f, c, u))
-        {
-            trouble = "body " + Foam::name(mine()[i]) + " of group " + name() +
-                      ": no tension holds its length, even in a 64th of the "
-                      "step";
-        }
-    }
-    return trouble;
-}
-
-Foam::wordList Foam::filaments::columns() const
-{
-    return {"x",      "y",          "z",        "tipX",
-            "tipY",   "tipZ",       "endToEnd", "lengthError",
-            "energy", "maxTension", "angle",    "iterations"};
-}
-
-Foam::scalarList Foam::filaments::sample(const label i) const
-{
-    const filament& x = filaments_[i];
-    const vectorField& X = x.places();
-    const label N = properties_.segments;
-    vector centre(Zero);
-    for (label k = 0; k < N; ++k)
-    {
-        centre += 0.5 / N * (X[k] + X[k + 1]);
-    }
-    const vector across(X[N] - X[0]);
-    return {centre.x(),
-            centre.y(),
-            centre.z(),
-            X[N].x(),
-            X[N].y(),
-            X[N].z(),
-            mag(across),
-            x.lengthError(),
-            x.kineticEnergy() + x.bendingEnergy(),
-            max(x.tensions()),
-            180 / constant::mathematical::pi *
-                std::atan2(across[shearPlane_[1]], across[shearPlane_[0]]),
-            scalar(x.iterations())};
-}
-
-// A tube of six sides, so that it is seen as thick as it is
-Foam::bodySurface Foam::filaments::surface(const label i) const
-{
-    const filament& x = filaments_[i];
-    const vectorField& X = x.places();
-    const label N = properties_.segments, sides = 6, n = sides * (N + 1);
-
-    bodySurface s;
-    s.vectorNames = {"velocity"};
-    s.scalarNames = {"tension", "curvature"};
-    s.vectors.setSize(1, vectorField(n));
-    s.scalars.setSize(2, scalarField(n));
-    s.points.setSize(n);
-    vector e(Zero);
-    for (label k = 0; k <= N; ++k)
-    {
-        const label before = max(k - 1, label(0)), after = min(k + 1, N);
-        vector t(X[after] - X[before]);
-        t /= mag(t);
-
-        // The frame follows the filament without turning about it
-        if (k == 0) e = mag(t.x()) < 0.7 ? vector(1, 0, 0) : vector(0, 1, 0);
-        e -= (e & t) * t;
-        e /= mag(e);
-        const scalar curvature =
-            k > 0 && k < N
-                ? mag(X[k + 1] - 2 * X[k] + X[k - 1]) / sqr(properties_.ds())
-                : 0;
-        const scalar tension = 0.5 * (x.tensions()[max(k - 1, label(0))] +
-                                      x.tensions()[min(k, N - 1)]);
-        for (label j = 0; j < sides; ++j)
-        {
-            const scalar a = constant::mathematical::twoPi * j / sides;
-            const label p = sides * k + j;
-            s.points[p] =
-                X[k] + radius_ * (std::cos(a) * e + std::sin(a) * (t ^ e));
-            s.vectors[0][p] = x.velocities()[k];
-            s.scalars[0][p] = tension;
-            s.scalars[1][p] = curvature;
-        }
-    }
-    DynamicList<face> faces;
-    for (label k = 0; k < N; ++k)
-    {
-        for (label j = 0; j < sides; ++j)
-        {
-            const label a = sides * k + j, b = sides * k + (j + 1) % sides;
-            face quad(4);
-            quad[0] = a;
-            quad[1] = b;
-            quad[2] = b + sides;
-            quad[3] = a + sides;
-            faces.append(quad);
-        }
-    }
-    s.faces.transfer(faces);
-    return s;
-}
-
-Foam::scalarList Foam::filaments::state(const label i) const
-{
-    DynamicList<scalar> s;
-    filaments_[i].save(s);
-    return scalarList(std::move(s));
-}
-
-void Foam::filaments::setState(const label i, const scalarList& state,
-                               const dictionary& source)
-{
-    if (state.size() != filaments_[i].stateSize())
-    {
-        FatalIOErrorInFunction(source)
-            << "the saved state of body " << mine()[i] << " has "
-            << state.size() << " numbers where " << filaments_[i].stateSize()
-            << " belong to its segments: was the entry segments changed?"
-            << exit(FatalIOError);
-    }
-    filaments_[i].restore(state.cdata());
 }

@@ -362,7 +362,7 @@ void Foam::staggeredFlow::step(const scalar dt)
         const scalar c0 = hasLast_ ? -0.5 * dt / lastDt_ : 0;
         lastDt_ = dt;
         hasLast_ = true;
-        predict(dt, {1 - c0, c0, 1}, force_);
+        predict(dt, {1 - c0, c0, 1}, force_, bool(bodies_));
         project(dt);
         gradient_ /= dt;
         return;
@@ -380,7 +380,7 @@ void Foam::staggeredFlow::step(const scalar dt)
         {
             (*increment_)[d] = force_[d];
         }
-        predict(dt, s, *increment_);
+        predict(dt, s, *increment_, bodies_ && &s == stages);
         project(s.rest * dt);
     }
     gradient_ /= dt;

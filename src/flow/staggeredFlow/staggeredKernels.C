@@ -159,8 +159,43 @@ void Foam::staggeredFlow::holdMean(const direction c, scalar* increment,
     gradient_ += push;
 }
 
+// The increments of a stage without the implicit factors, as a share of those of
+// the whole step, predict the velocity at its end
+void Foam::staggeredFlow::askBodies(const scalar dt, const stage& s,
+                                    staggeredField& increment)
+{
+    const scalar number = nuMax_ * dt / std::pow(grid_.cellVolume(), 2.0 / 3);
+    const scalar kept = explicit_ ? 1 : 1 / (1 + 0.75 * number);
+    const scalar gamma = (explicit_ ? 1 : 0.7 * kept) / s.rest;
+    {
+        const auto timing(effects_.time("momentum"));
+        block_.rows(
+            [&](const label q, const label n)
+            {
+                for (direction d = 0; d < 3; ++d)
+                {
+                    const double* __restrict__ u = u_[d].data() + q;
+                    const double* __restrict__ r = increment[d].cdata() + n;
+                    double* __restrict__ p = (*prediction_)[d].data() + n;
+                    for (label i = 0; i < box_.size.x(); ++i)
+                    {
+                        p[i] = u[i] + gamma * r[i];
+                    }
+                }
+            });
+    }
+    bodies_(*prediction_, kept);
+
+    const auto timing(effects_.time("momentum"));
+    for (direction d = 0; d < 3; ++d)
+    {
+        increment[d] += s.rest * dt * (*prediction_)[d];
+        if (RK3_) force_[d] += (*prediction_)[d];
+    }
+}
+
 void Foam::staggeredFlow::predict(const scalar dt, const stage& s,
-                                  staggeredField& force)
+                                  staggeredField& force, const bool ask)
 {
     {
         const auto timing(effects_.time("momentum"));
@@ -172,6 +207,7 @@ void Foam::staggeredFlow::predict(const scalar dt, const stage& s,
         makeIncrement<1>(dt, s, force[1].data());
         makeIncrement<2>(dt, s, force[2].data());
     }
+    if (ask) askBodies(dt, s, force);
 
     if (!explicit_)
     {

@@ -1,0 +1,86 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "thicknessCouple.H"
+#include <cmath>
+
+Foam::thicknessCouple::thicknessCouple(const label segments, const scalar ds,
+                                       const scalar K, const scalar radius)
+    : segments_(segments),
+      each_(max(label(1), label(radius / ds))),
+      stations_((segments + each_ - 1) / each_),
+      ds_(ds),
+      K_(K),
+      radius_(radius)
+{
+}
+
+Foam::thicknessCouple::frame
+Foam::thicknessCouple::at(const vectorField& X, const label station) const
+{
+    const label first = station * each_, last = min(first + each_, segments_);
+    frame f;
+    f.t = X[last] - X[first];
+    f.t /= mag(f.t);
+
+    // Any direction across does: three points measure a linear field exactly
+    vector a(mag(f.t.x()) < 0.7 ? vector(1, 0, 0) : vector(0, 1, 0));
+    a -= (a & f.t) * f.t;
+    a /= mag(a);
+    const vector b(f.t ^ a);
+    f.e[0] = a;
+    f.e[1] = -0.5 * a + 0.5 * std::sqrt(3.0) * b;
+    f.e[2] = -0.5 * a - 0.5 * std::sqrt(3.0) * b;
+    return f;
+}
+
+void Foam::thicknessCouple::markers(const vectorField& X, vector* points) const
+{
+    for (label j = 0; j < stations_; ++j)
+    {
+        const frame f(at(X, j));
+        const label first = j * each_, last = min(first + each_, segments_);
+        const vector centre(0.5 * (X[first] + X[last]));
+        for (const vector& e : f.e)
+        {
+            *points++ = centre + radius_ * e;
+        }
+    }
+}
+
+Foam::vectorField Foam::thicknessCouple::shear(const vectorField& X,
+                                               const vector* U) const
+{
+    vectorField g(segments_);
+    for (label j = 0; j < stations_; ++j)
+    {
+        const frame f(at(X, j));
+        vector here(Zero);
+        for (const vector& e : f.e)
+        {
+            here += 2.0 / 3 / radius_ * (*U++ & f.t) * e;
+        }
+        for (label i = j * each_; i < min((j + 1) * each_, segments_); ++i)
+        {
+            g[i] = here;
+        }
+    }
+    return g;
+}
+
+void Foam::thicknessCouple::forces(const vectorField& X, const vectorField& V,
+                                   const vectorField& shear, vector* F) const
+{
+    for (label j = 0; j < stations_; ++j)
+    {
+        const frame f(at(X, j));
+        vector dipole(Zero);
+        for (label i = j * each_; i < min((j + 1) * each_, segments_); ++i)
+        {
+            dipole -= K_ * (ds_ * shear[i] + V[i + 1] - V[i]);
+        }
+        for (const vector& e : f.e)
+        {
+            *F++ = 2.0 / 3 / radius_ * (dipole & e) * f.t;
+        }
+    }
+}
