@@ -9,9 +9,6 @@
 
 namespace Foam
 {
-// Points of the couple this many cells from the line; K/(mu h^2)
-static const scalar coupleRadius = 1, coupleOfLine = 3.45;
-
 defineTypeNameAndDebug(filaments, 0);
 addToRunTimeSelectionTable(bodyGroup, filaments, dictionary);
 
@@ -180,11 +177,11 @@ void Foam::filaments::readCouplingEntries(const dictionary& dict,
     if (on)
     {
         const scalar r = L / thick, re = 1.24 * r / std::sqrt(std::log(r));
-        couple_.reset(
-            new thicknessCouple(properties_.segments, properties_.ds(),
-                                twoWay() ? scene_.mu * sqr(h) * coupleOfLine
-                                         : drag_ * sqr(L / re) / 12,
-                                coupleRadius * h));
+        couple_.reset(new thicknessCouple(
+            properties_.segments, properties_.ds(),
+            twoWay() ? thicknessCouple::resolved(scene_.kernel, scene_.mu, h)
+                     : drag_ * sqr(L / re) / 12,
+            1.5 * h));
     }
     scene_.effects.declare("thicknessCouple", on,
                            Foam::name(L / thick) + " diameters of " +

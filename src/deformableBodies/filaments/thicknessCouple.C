@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "thicknessCouple.H"
+#include "mathematicalConstants.H"
 #include <cmath>
 
 Foam::thicknessCouple::thicknessCouple(const label segments, const scalar ds,
@@ -12,6 +13,14 @@ Foam::thicknessCouple::thicknessCouple(const label segments, const scalar ds,
       K_(K),
       radius_(radius)
 {
+}
+
+Foam::scalar Foam::thicknessCouple::resolved(const deltaKernel& kernel,
+                                             const scalar mu, const scalar h)
+{
+    const scalar beta = kernel.type() == deltaKernel::Roma3 ? 0.0588 : 0.0431;
+    const scalar K = constant::mathematical::twoPi * sqr(kernel.lineRadius());
+    return mu * sqr(h) * K / (1 - beta * K);
 }
 
 Foam::thicknessCouple::frame

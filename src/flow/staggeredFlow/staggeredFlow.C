@@ -308,6 +308,7 @@ void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
     if (explicit_ != before) hasLast_ = false;
     if (!explicit_ && !implicit_)
     {
+        transforms_ = transforms_ && (diffusion_ == "FFT" || number > 1);
         implicit_.reset(new implicitDiffusion(grid_, transforms_));
     }
     if (explicit_ != before || !chosen_)
