@@ -24,8 +24,9 @@ check()
 # below "what" value limit: prints both
 below()
 {
+    # Not a number, by whatever name, is no success
     check "$1: $2 (limit $3)" awk -v x="$2" -v l="$3" \
-        'BEGIN { exit !(x == x + 0 && x <= l) }'
+        'BEGIN { exit !(x ~ /^[-+]?[0-9.]+(e[-+]?[0-9]+)?$/ && x + 0 <= l + 0) }'
 }
 
 # The last line of every test script: what was counted, and the exit status

@@ -32,7 +32,7 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
     checkEntries(dict, {"type", "length", "diameter", "segments",
                         "bendingRigidity", "densityRatio", "ends", "positions",
                         "directions", "gravity", "coupling", "shearPlane",
-                        "scheme", "thicknessCouple", "baseMotion"});
+                        "scheme", "thicknessCouple", "baseMotion", "bow"});
 
     properties_.length = readPositive(dict, "length", dimLength);
     const scalar diameter = readPositive(dict, "diameter", dimLength);
@@ -102,6 +102,19 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
         refuse(dict, "directions", Foam::name(directions.size()) + " vectors",
                "as many as positions, " + Foam::name(positions.size()));
     }
+    // Straight and held at both ends, it could not move and any tension would do
+    const vector bow(dict.getOrDefault<vector>("bow", Zero));
+    if (mag(bow) > 0.3 * properties_.length)
+    {
+        refuse(dict, "bow", Foam::name(mag(bow)) + " m",
+               "up to 0.3 of the length");
+    }
+    if (bow == vector::zero && properties_.ends[0] != filament::FREE &&
+        properties_.ends[1] != filament::FREE)
+    {
+        refuse(dict, "bow", "(0 0 0)",
+               "a bow, where both ends are held: a straight one cannot move");
+    }
     filaments_.reserve(mine().size());
     forAll(positions, body)
     {
@@ -109,7 +122,10 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
         {
             refuse(dict, "directions", "(0 0 0)", "directions");
         }
-        const filament x(properties_, positions[body], directions[body]);
+        filament x(properties_,
+                   firstShape(positions[body], directions[body], bow));
+        x.clamp(0, directions[body]);
+        x.clamp(1, directions[body]);
         checkFits(dict, x, body);
         if (!mine().found(body)) continue;
         filaments_.push_back({x, vectorField(alone() ? 0 : nNodes(), Zero),
@@ -188,6 +204,25 @@ void Foam::filaments::readCouplingEntries(const dictionary& dict,
                                (twoWay() ? Foam::name(thick / h) + " cells"
                                          : Foam::name(thick) + " m") +
                                " long");
+}
+
+// Segments of equal length along the curve
+Foam::vectorField Foam::filaments::firstShape(const point& first,
+                                              const vector& direction,
+                                              const vector& bow) const
+{
+    const label N = properties_.segments;
+    vectorField X(N + 1, first);
+    for (label i = 1; i <= N; ++i)
+    {
+        const scalar s = constant::mathematical::pi * (i - 0.5) / N;
+        vector t(direction / mag(direction) + constant::mathematical::pi /
+                                                  properties_.length *
+                                                  std::cos(s) * bow);
+        t /= mag(t);
+        X[i] = X[i - 1] + properties_.ds() * t;
+    }
+    return X;
 }
 
 void Foam::filaments::checkFits(const dictionary& dict, const filament& x,
