@@ -21,6 +21,23 @@ filament::properties make(const label N, const scalar rigidity,
     return p;
 }
 
+//- The nodes as points of a filament, and their lengths: drag is given per length
+filament::surroundings around(const filament& x, const vectorField& force,
+                              const scalarField& drag, const vectorField& U)
+{
+    const label N = x.places().size() - 1;
+    const scalar ds = mag(x.places()[1] - x.places()[0]);
+    filament::surroundings s{force, List<filament::place>(N + 1), ds * drag, U};
+    for (label i = 0; i <= N; ++i)
+    {
+        s.points[i].segment = min(i, N - 1);
+        s.points[i].at = i == N ? 1 : 0;
+    }
+    s.drag[0] *= 0.5;
+    s.drag[N] *= 0.5;
+    return s;
+}
+
 //- n steps under a uniform force per length; sees(filament, time) after each
 template<class See>
 void run(filament& x, const scalar dt, const label n, const vector& force,
@@ -28,10 +45,10 @@ void run(filament& x, const scalar dt, const label n, const vector& force,
 {
     const label size = x.places().size();
     const vectorField f(size, force), U(size, Zero);
-    const scalarField c(size, drag);
+    const auto all(around(x, f, scalarField(size, drag), U));
     for (label i = 1; i <= n; ++i)
     {
-        ASSERT_TRUE(x.step(dt, {f, c, U})) << "step " << i;
+        ASSERT_TRUE(x.step(dt, all)) << "step " << i;
         sees(x, i * dt);
     }
 }
@@ -228,6 +245,7 @@ TEST(Filament, flutter)
         const scalarField c(N + 1, 1);
         const vectorField U(N + 1, Zero);
         vectorField f(N + 1, Zero), before(x.places());
+        auto all(around(x, f, c, U));
         scalar early = 0, late = 0;
         for (label step = 1; step <= 8000; ++step)
         {
@@ -241,7 +259,8 @@ TEST(Filament, flutter)
             }
             if (step < 20) f[N].y() += 0.1;
             before = x.places();
-            ASSERT_TRUE(x.step(2e-4, {f, c, U}));
+            all.force = f;
+            ASSERT_TRUE(x.step(2e-4, all));
             const scalar y = mag(x.places()[N].y());
             if (step > 2000 && step <= 5000) early = max(early, y);
             if (step > 5000) late = max(late, y);
@@ -352,11 +371,11 @@ TEST(Filament, schemes)
         length = 0;
         const label every = label(0.05 / dt + 0.5);
         const vectorField f(N + 1, vector(-10, 0, 0)), U(N + 1, Zero);
-        const scalarField c(N + 1, Zero);
+        const auto all(around(x, f, scalarField(N + 1, Zero), U));
         const auto start = std::chrono::steady_clock::now();
         for (label step = 1; step <= 40 * every; ++step)
         {
-            if (!x.step(dt, {f, c, U})) break;
+            if (!x.step(dt, all)) break;
             length = max(length, x.lengthError());
             if (step % every == 0) tip.push_back(x.places()[N].y());
         }
@@ -429,8 +448,8 @@ TEST(Filament, cantilever)
             if (c.point) f[N] = load / (0.5 * p.ds());
             for (label step = 0; step < 400; ++step)
             {
-                ASSERT_TRUE(x.step(0.05, {f, scalarField(N + 1, 10),
-                                   vectorField(N + 1, Zero)}));
+                ASSERT_TRUE(x.step(0.05, around(x, f, scalarField(N + 1, 10),
+                                                vectorField(N + 1, Zero))));
             }
             const vector tip(x.places()[N]);
             const scalar error =

@@ -96,12 +96,12 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
     bandedMatrix<8> A(n);
     std::vector<double> change(n);
     // Drag across and along the extrapolated shape
-    List<symmTensor> drag(X.size());
-    forAll(X, i)
+    List<symmTensor> drag(s.points.size());
+    forAll(drag, k)
     {
-        const vector t(X[min(i + 1, N)] - X[max(i - 1, label(0))]);
-        drag[i] = s.drag[i] *
-                  (symmTensor::I - (1 - all_.dragRatio) / magSqr(t) * sqr(t));
+        const label i = s.points[k].segment;
+        const vector t((X[i + 1] - X[i]) / ds);
+        drag[k] = s.drag[k] * (symmTensor::I - (1 - all_.dragRatio) * sqr(t));
     }
 
     forAll(X, i)
@@ -119,15 +119,28 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
             V[i] = c0 * X[i] + c1 * X_[i] + c2 * XBefore_[i];
             const vector acceleration(c0 * V[i] + c1 * V_[i] +
                                       c2 * VBefore_[i]);
-            R[i] = w * (all_.mass * acceleration + (drag[i] & (V[i] - s.U[i])) -
-                        s.force[i]);
-            const tensor inertia(w * c0 *
-                                 (all_.mass * c0 * symmTensor::I + drag[i]));
+            R[i] = w * (all_.mass * acceleration - s.force[i]);
             for (direction d = 0; d < 3; ++d)
             {
-                for (direction e = 0; e < 3; ++e)
+                A(4 * i + d, 4 * i + d) += w * all_.mass * sqr(c0);
+            }
+        }
+        forAll(drag, k)
+        {
+            const place& p = s.points[k];
+            const vector F(drag[k] & (p(V) - s.U[k]));
+            const scalar share[2] = {1 - p.at, p.at};
+            for (int a = 0; a < 2; ++a)
+            {
+                R[p.segment + a] += share[a] * F;
+                for (int b = 0; b < 2; ++b)
                 {
-                    A(4 * i + d, 4 * i + e) += inertia(d, e);
+                    const tensor D(share[a] * share[b] * c0 * drag[k]);
+                    for (direction d = 0; d < 9; ++d)
+                    {
+                        A(4 * (p.segment + a) + d / 3,
+                          4 * (p.segment + b) + d % 3) += D[d];
+                    }
                 }
             }
         }

@@ -10,6 +10,19 @@ Foam::label Foam::filaments::nMarkers() const
     return filaments_.size() * markersEach();
 }
 
+void Foam::filaments::makePoints(const label n, const scalar inset)
+{
+    points_.setSize(n);
+    const scalar ds = properties_.ds();
+    forAll(points_, k)
+    {
+        const scalar s =
+            (inset + k * (properties_.length - 2 * inset) / (n - 1)) / ds;
+        points_[k].segment = min(label(s), properties_.segments - 1);
+        points_[k].at = s - points_[k].segment;
+    }
+}
+
 // Where the filament is expected at the end of the step: there the fluid is to
 // move with it
 void Foam::filaments::markers(vector* X, const scalar dt)
@@ -17,9 +30,12 @@ void Foam::filaments::markers(vector* X, const scalar dt)
     if (alone()) return;
     for (fibre& x : filaments_)
     {
-        const vectorField ahead(x.line.ahead(dt));
-        std::copy(ahead.begin(), ahead.end(), x.markers.begin());
-        if (couple_) couple_->markers(ahead, x.markers.data() + nNodes());
+        x.ahead = x.line.ahead(dt);
+        forAll(points_, k)
+        {
+            x.markers[k] = points_[k](x.ahead);
+        }
+        if (couple_) couple_->markers(x.ahead, &x.markers[points_.size()]);
         X = std::copy(x.markers.begin(), x.markers.end(), X);
     }
 }
@@ -38,68 +54,67 @@ void Foam::filaments::observe(const vector* U)
     for (fibre& x : filaments_)
     {
         x.slip = 0;
-        forAll(x.line.velocities(), k)
+        forAll(points_, k)
         {
-            x.slip = max(x.slip, mag(x.line.velocities()[k] - U[k]));
+            x.slip = max(x.slip, mag(points_[k](x.line.velocities()) - U[k]));
         }
         U += markersEach();
     }
 }
 
-// A line of markers moves fluid of this cross-section, per step with what
-// diffusion leaves of it
+// A point moves the fluid of this cross-section over its length, per step with
+// what diffusion leaves of it
 Foam::scalar Foam::filaments::directForcing(const bodyStep& s) const
 {
     const scalar h = std::cbrt(scene_.grid.cellVolume());
     const scalar squares = scene_.kernel.sumOfSquares();
 
-    // Markers far apart move less than a line does
-    const scalar apart = max(scalar(1), squares * properties_.ds() / h);
-    return scene_.rho * sqr(h / squares) / (apart * s.kept * s.dt);
+    // Points far apart move less than a line does
+    const scalar length = min(properties_.length / points_.size(), h / squares);
+    return scene_.rho * length * sqr(h / squares) / (s.kept * s.dt);
 }
 
 bool Foam::filaments::moveOne(fibre& x, const vector* U, const bodyStep& s)
 {
-    const label n = nNodes();
-    filament::surroundings around{vectorField(n, weight_),
-                                  scalarField(n, drag_), vectorField(n, Zero)};
-    vectorField& f = around.force;
+    const label n = points_.size();
+    filament::surroundings around{
+        vectorField(properties_.segments + 1, weight_), points_, scalarField(n),
+        vectorField(n)};
     for (const filamentLoad& load : loads_)
     {
-        load.add(x.line.ahead(s.dt), properties_.ds(), s.time, f);
+        load.add(x.line.ahead(s.dt), properties_.ds(), s.time, around.force);
     }
     if (base_.valid())
     {
         x.line.moveEnd(movedEnd(), x.start + base_->value(s.time));
     }
-    if (alone()) return x.line.step(s.dt, around);
 
     const bool first = !x.line.started();
-    std::copy_n(U, n, around.U.begin());
-    const vectorField change(around.U - x.U);
-    x.U = around.U;
-    const auto share = [&](const label k)
-    { return (k == 0 || k == n - 1 ? 0.5 : 1.0) * properties_.ds(); };
-    if (twoWay())
+    for (label k = 0; k < n; ++k)
     {
-        // The velocity at the start of the step stands for that at its end; half
-        // of its last change damps what this delay excites
-        if (!s.predicted && !first) around.U += 0.5 * change;
-        around.drag = directForcing(s);
-        for (label k = 0; k < n; ++k)
+        const vector change(first ? vector(Zero) : vector(U[k] - x.U[k]));
+        x.U[k] = U[k];
+        around.U[k] = U[k];
+        if (twoWay())
         {
-            f[k] -= x.forces[k] / share(k);
+            // The velocity at the start of the step stands for that at its end;
+            // half of its last change damps what this delay excites. The force
+            // of the last step stays on
+            around.drag[k] = directForcing(s);
+            if (!s.predicted) around.U[k] += 0.5 * change;
+            around.U[k] -= x.forces[k] / around.drag[k];
         }
-    }
-    else if (!first)
-    {
-        // The fluid in its place would accelerate like this
-        f += displaced_ / s.dt * change;
+        else
+        {
+            // The fluid in its place would accelerate like this
+            around.drag[k] = drag_ * properties_.length / n;
+            around.U[k] += displaced_ / (s.dt * drag_) * change;
+        }
     }
     if (couple_)
     {
         around.couple = couple_->K();
-        around.shear = couple_->shear(SubField<vector>(x.markers, n), U + n);
+        around.shear = couple_->shear(x.ahead, U + n);
     }
 
     if (!x.line.step(s.dt, around)) return false;
@@ -109,13 +124,9 @@ bool Foam::filaments::moveOne(fibre& x, const vector* U, const bodyStep& s)
         const vectorField& V = x.line.meanVelocities();
         for (label k = 0; k < n; ++k)
         {
-            x.forces[k] += share(k) * around.drag[k] * (V[k] - around.U[k]);
+            x.forces[k] = around.drag[k] * (points_[k](V) - around.U[k]);
         }
-        if (couple_)
-        {
-            couple_->forces(SubField<vector>(x.markers, n), V, around.shear,
-                            x.forces.data() + n);
-        }
+        if (couple_) couple_->forces(x.ahead, V, around.shear, &x.forces[n]);
     }
     return true;
 }

@@ -128,7 +128,7 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
         x.clamp(1, directions[body]);
         checkFits(dict, x, body);
         if (!mine().found(body)) continue;
-        filaments_.push_back({x, vectorField(alone() ? 0 : nNodes(), Zero),
+        filaments_.push_back({x, vectorField(points_.size(), Zero), x.places(),
                               vectorField(markersEach()),
                               vectorField(twoWay() ? markersEach() : 0, Zero),
                               x.places()[movedEnd() * properties_.segments],
@@ -176,17 +176,20 @@ void Foam::filaments::readCouplingEntries(const dictionary& dict,
                               " at this length, for the drag of a slender "
                               "body");
     }
-    if (!twoWay())
+    if (twoWay())
+    {
+        // Closer than a cell the fluid cannot tell points from each other; nodes
+        // without mass and stiffness need one each
+        const scalar inset = scene_.kernel.endInset() * h;
+        const label n = label((L - 2 * inset) / h + 0.5) + 1;
+        const bool limp = properties_.rigidity == 0 && properties_.mass == 0;
+        makePoints(max(n, limp ? properties_.segments + 1 : 2), inset);
+    }
+    else
     {
         drag_ = 4 * pi * scene_.mu / (slender + 0.193);
         properties_.dragRatio = 2 * pi * scene_.mu / (slender - 0.807) / drag_;
-    }
-    else if (properties_.ds() > 1.25 * h)
-    {
-        IOWarningInFunction(dict)
-            << "segments are " << properties_.ds() / h
-            << " cells long: fluid passes between the nodes above 1.25; "
-            << "take at least " << label(L / h) << " segments" << endl;
+        makePoints(properties_.segments, 0.5 * properties_.ds());
     }
 
     const bool on = dict.getOrDefault<bool>("thicknessCouple", L < 50 * thick);
