@@ -168,10 +168,10 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
             const vector t((X[i + 1] - X[i]) / ds);
             vector pull(T[i] * t);
             scalar answer = T[i] / ds;
-            if (s.shear.size())
+            if (s.couple.size())
             {
-                pull += s.couple * (s.shear[i] + (V[i + 1] - V[i]) / ds);
-                answer += s.couple * c0 / ds;
+                pull += s.couple[i] * (s.shear[i] + (V[i + 1] - V[i]) / ds);
+                answer += s.couple[i] * c0 / ds;
             }
             R[i] -= pull;
             R[i + 1] += pull;

@@ -176,11 +176,11 @@ void Foam::filaments::readCouplingEntries(const dictionary& dict,
                               " at this length, for the drag of a slender "
                               "body");
     }
+    const scalar inset = twoWay() ? scene_.kernel.endInset() * h : 0;
     if (twoWay())
     {
         // Closer than a cell the fluid cannot tell points from each other; nodes
         // without mass and stiffness need one each
-        const scalar inset = scene_.kernel.endInset() * h;
         const label n = label((L - 2 * inset) / h + 0.5) + 1;
         const bool limp = properties_.rigidity == 0 && properties_.mass == 0;
         makePoints(max(n, limp ? properties_.segments + 1 : 2), inset);
@@ -200,7 +200,7 @@ void Foam::filaments::readCouplingEntries(const dictionary& dict,
             properties_.segments, properties_.ds(),
             twoWay() ? thicknessCouple::resolved(scene_.kernel, scene_.mu, h)
                      : drag_ * sqr(L / re) / 12,
-            1.5 * h));
+            inset, 1.5 * h));
     }
     scene_.effects.declare("thicknessCouple", on,
                            Foam::name(L / thick) + " diameters of " +

@@ -5,14 +5,21 @@
 #include <cmath>
 
 Foam::thicknessCouple::thicknessCouple(const label segments, const scalar ds,
-                                       const scalar K, const scalar radius)
+                                       const scalar K, const scalar inset,
+                                       const scalar radius)
     : segments_(segments),
       each_(max(label(1), label(radius / ds))),
       stations_((segments + each_ - 1) / each_),
       ds_(ds),
-      K_(K),
-      radius_(radius)
+      radius_(radius),
+      K_(segments)
 {
+    forAll(K_, i)
+    {
+        const scalar begin = max(i * ds, inset);
+        const scalar end = min((i + 1) * ds, segments * ds - inset);
+        K_[i] = K * max(end - begin, scalar(0)) / ds;
+    }
 }
 
 Foam::scalar Foam::thicknessCouple::resolved(const deltaKernel& kernel,
@@ -85,7 +92,7 @@ void Foam::thicknessCouple::forces(const vectorField& X, const vectorField& V,
         vector dipole(Zero);
         for (label i = j * each_; i < min((j + 1) * each_, segments_); ++i)
         {
-            dipole -= K_ * (ds_ * shear[i] + V[i + 1] - V[i]);
+            dipole -= K_[i] * (ds_ * shear[i] + V[i + 1] - V[i]);
         }
         for (const vector& e : f.e)
         {
