@@ -26,8 +26,7 @@ def scene(entry):
 
 
 def shapes(group):
-    """(time, nodes) of the first filament of a group, one per picture: the middle of
-    its tube of six sides."""
+    """(time, nodes) of the only filament of a group, one per picture."""
     import vtk
     from vtk.util.numpy_support import vtk_to_numpy
     all_ = []
@@ -36,5 +35,5 @@ def shapes(group):
         reader.SetFileName("VTK/bodies/" + entry["name"])
         reader.Update()
         x = vtk_to_numpy(reader.GetOutput().GetPoints().GetData())
-        all_.append((entry["time"], x.reshape(-1, 6, 3).mean(1)))
+        all_.append((entry["time"], x))
     return all_

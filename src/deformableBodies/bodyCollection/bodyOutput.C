@@ -7,6 +7,7 @@
 #include "foamVtkSurfaceWriter.H"
 #include "OSspecific.H"
 #include "IFstream.H"
+#include <fstream>
 #include <iomanip>
 #include <sstream>
 
@@ -99,6 +100,21 @@ static List<scalarField> packed(const bodySurface& s)
 }
 } // namespace Foam
 
+// The writer of surfaces of OpenFOAM v1912 knows no lines; in this format they
+// differ from polygons by name alone
+static void polygonsToLines(const Foam::fileName& file)
+{
+    std::stringstream text;
+    text << std::ifstream(file).rdbuf();
+    std::string s(text.str());
+    for (const std::string before : {"NumberOf", "<", "</"})
+    {
+        const auto at = s.find(before + "Polys");
+        if (at != std::string::npos) s.replace(at + before.size(), 5, "Lines");
+    }
+    std::ofstream(file) << s;
+}
+
 void Foam::bodyCollection::draw(const scalar now, const label timeIndex) const
 {
     const fileName dir(mesh_.time().globalPath() / "VTK" / "bodies");
@@ -176,6 +192,8 @@ void Foam::bodyCollection::draw(const scalar now, const label timeIndex) const
                 writer.write(layout.scalarNames[s], values);
             }
         }
+
+        if (layout.lines) polygonsToLines(stem + ".vtp");
 
         // The series goes on after a restart
         const fileName seriesName(dir / group.name() + ".vtp");
