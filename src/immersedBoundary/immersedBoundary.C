@@ -103,23 +103,22 @@ Foam::immersedBoundary::route(const vectorField& X) const
 // component d around a marker
 template<class Visit>
 void Foam::immersedBoundary::rows(const marker& m, const direction d,
-                                  Visit visit) const
+                                  const staggeredView& at, Visit visit)
 {
-    const labelVector& size = grid_.box().size;
     const kernelStencil& sy = d == 1 ? m.face[1] : m.centre[1];
     const kernelStencil& sz = d == 2 ? m.face[2] : m.centre[2];
     for (label k = 0; k < sz.size; ++k)
     {
         for (label j = 0; j < sy.size; ++j)
         {
-            visit(size.x() * (sy.at[j] + size.y() * sz.at[k]),
+            visit(at.row * sy.at[j] + at.layer * sz.at[k],
                   sy.weight[j] * sz.weight[k]);
         }
     }
 }
 
 void Foam::immersedBoundary::gather(const vectorField& X,
-                                    const staggeredField& u,
+                                    const List<staggeredView>& u,
                                     vectorField& U) const
 {
     marker m;
@@ -129,19 +128,23 @@ void Foam::immersedBoundary::gather(const vectorField& X,
         for (direction d = 0; d < 3; ++d)
         {
             const kernelStencil& sx = d == 0 ? m.face[0] : m.centre[0];
-            const scalar* values = u[d].cdata();
-            scalar sum = 0;
-            rows(m, d,
-                 [&](const label row, const scalar weight)
-                 {
-                     scalar part = 0;
-                     for (label i = 0; i < sx.size; ++i)
+            U[markeri][d] = 0;
+            for (const staggeredView& v : u)
+            {
+                const scalar* values = v.first[d];
+                scalar sum = 0;
+                rows(m, d, v,
+                     [&](const label row, const scalar weight)
                      {
-                         part += sx.weight[i] * values[row + sx.at[i]];
-                     }
-                     sum += weight * part;
-                 });
-            U[markeri][d] = sum;
+                         scalar part = 0;
+                         for (label i = 0; i < sx.size; ++i)
+                         {
+                             part += sx.weight[i] * values[row + sx.at[i]];
+                         }
+                         sum += weight * part;
+                     });
+                U[markeri][d] += v.factor * sum;
+            }
         }
     }
 }
@@ -159,7 +162,7 @@ void Foam::immersedBoundary::scatter(const vectorField& X, const vectorField& F,
             const kernelStencil& sx = d == 0 ? m.face[0] : m.centre[0];
             const scalar density = F[markeri][d] * perVolume;
             scalar* values = f[d].data();
-            rows(m, d,
+            rows(m, d, f,
                  [&](const label row, const scalar weight)
                  {
                      for (label i = 0; i < sx.size; ++i)
@@ -173,7 +176,7 @@ void Foam::immersedBoundary::scatter(const vectorField& X, const vectorField& F,
 }
 
 void Foam::immersedBoundary::interpolate(const vectorField& X,
-                                         const staggeredField& u,
+                                         const List<staggeredView>& u,
                                          vectorField& U) const
 {
     U.setSize(X.size());

@@ -92,7 +92,7 @@ TEST_P(ImmersedBoundary, interpolationIsTheAdjointOfSpreading)
          [](const point& p, const direction d) { return test::noise(p, d); });
 
     vectorField U;
-    boundary.interpolate(X, u, U);
+    boundary.interpolate(X, {u}, U);
     boundary.spread(X, F, f);
 
     scalar onMarkers = gSum(F & U), size = gSum(mag(F) * mag(U));
@@ -161,7 +161,7 @@ TEST_P(ImmersedBoundary, interpolatesLinearFieldsExactly)
     fill(u, [&](const point& p, const direction d)
          { return 0.3 + (d + 1) * (slope & p); });
     vectorField U;
-    boundary.interpolate(X, u, U);
+    boundary.interpolate(X, {u}, U);
 
     scalar error = 0;
     forAll(X, k)

@@ -216,7 +216,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
 
     staggeredField faces(grid_.box());
     if (!empty()) grid_.toStaggered(phi, faces);
-    advance(faces);
+    advance(faces, faces);
     if (!forceFlux_.valid())
     {
         forceFlux_.reset(new surfaceScalarField(
@@ -227,20 +227,21 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
     if (!empty()) grid_.toFlux(faces, *forceFlux_);
 }
 
-void Foam::bodyCollection::advance(staggeredField& faces)
+void Foam::bodyCollection::advance(const staggeredView& u,
+                                   staggeredField& force)
 {
     const Time& time = mesh_.time();
     if (lastAdvanced_ < 0) start();
     lastAdvanced_ = time.timeIndex();
     if (empty())
     {
-        faces.clear();
+        force.clear();
         return;
     }
 
     const labelList now(groupsThat(false)), later(groupsThat(true));
     const scalar dt = time.deltaTValue();
-    if (time.timeIndex() % sampleInterval_ == 0) observe(faces);
+    if (time.timeIndex() % sampleInterval_ == 0) observe(u);
     if (!alone_)
     {
         const auto timing(effects_.time("interpolation"));
@@ -251,14 +252,14 @@ void Foam::bodyCollection::advance(staggeredField& faces)
             groups_[g].markers(X, dt);
             X += groups_[g].nMarkers();
         }
-        boundary_->interpolate(X_, faces, U_);
+        boundary_->interpolate(X_, {u}, U_);
     }
 
-    if (contrast_) updateViscosity(faces);
+    if (contrast_) updateViscosity(force);
 
     // Diffusion in a solver of which no more is known
     const scalar number = nu_ * dt / std::pow(grid_.cellVolume(), 2.0 / 3);
-    move(now, false, bodyStep::keptAt(number));
+    move(now, false, implicitDiffusion::kept(number));
 
     // Those that wait: their markers for this step, and the last force there
     for (const label g : later)
@@ -266,9 +267,9 @@ void Foam::bodyCollection::advance(staggeredField& faces)
         X_.setSize(groups_[g].nMarkers());
         groups_[g].markers(X_.data(), dt);
     }
-    faces.clear();
+    force.clear();
     collectLoads(identity(groups_.size()));
-    spread(faces);
+    spread(force);
 
     if (later.empty() && time.timeIndex() % sampleInterval_ == 0)
     {
@@ -276,20 +277,22 @@ void Foam::bodyCollection::advance(staggeredField& faces)
     }
 }
 
-void Foam::bodyCollection::correct(staggeredField& faces, const scalar kept)
+void Foam::bodyCollection::correct(const staggeredFlow::prediction& p)
 {
     const labelList later(groupsThat(true));
     collectLoads(later);
     {
         const auto timing(effects_.time("interpolation"));
-        boundary_->interpolate(X_, faces, U_);
+        boundary_->interpolate(X_, p.u, U_);
     }
     const vectorField before(F_);
-    move(later, true, kept);
+    move(later, true, p.kept);
     collectLoads(later);
     F_ -= before;
-    faces.clear();
-    spread(faces);
+    for (const auto& force : p.force)
+    {
+        spread(*force.second, force.first);
+    }
 
     const Time& time = mesh_.time();
     if (time.timeIndex() % sampleInterval_ == 0) sample(time.value());
@@ -315,7 +318,7 @@ Foam::label Foam::bodyCollection::nMarkers(const labelList& groups) const
     return n;
 }
 
-void Foam::bodyCollection::observe(const staggeredField& u)
+void Foam::bodyCollection::observe(const staggeredView& u)
 {
     forAll(groups_, g)
     {
@@ -324,7 +327,7 @@ void Foam::bodyCollection::observe(const staggeredField& u)
         const auto timing(effects_.time("interpolation"));
         X_.setSize(group.nMarkers());
         group.markers(X_.data(), 0);
-        boundary_->interpolate(X_, u, U_);
+        boundary_->interpolate(X_, {u}, U_);
         group.observe(U_.cdata());
     }
 }
@@ -364,14 +367,14 @@ void Foam::bodyCollection::collectLoads(const labelList& groups)
     }
 }
 
-void Foam::bodyCollection::spread(staggeredField& faces)
+void Foam::bodyCollection::spread(staggeredField& force, const scalar factor)
 {
     if (!returnReduce(X_.size(), maxOp<label>())) return;
 
     const auto timing(effects_.time("spreading"));
-    F_ *= 1 / rho_;
-    boundary_->spread(X_, F_, faces);
-    if (periodicBox()) removeMean(F_, faces);
+    const vectorField F(factor / rho_ * F_);
+    boundary_->spread(X_, F, force);
+    if (periodicBox()) removeMean(F, force);
 }
 
 void Foam::bodyCollection::updateViscosity(staggeredField& work)
@@ -407,13 +410,13 @@ bool Foam::bodyCollection::periodicBox() const
 }
 
 void Foam::bodyCollection::removeMean(const vectorField& F,
-                                      staggeredField& faces) const
+                                      staggeredField& force) const
 {
     const vector L(grid_.length());
     const vector mean(gSum(F) / (L.x() * L.y() * L.z()));
     for (direction d = 0; d < 3; ++d)
     {
-        faces[d] -= mean[d];
+        force[d] -= mean[d];
     }
 }
 

@@ -8,8 +8,8 @@ Foam::thicknessCouple::thicknessCouple(const label segments, const scalar ds,
                                        const scalar K, const scalar inset,
                                        const scalar radius)
     : segments_(segments),
-      each_(max(label(1), label(radius / ds))),
-      stations_((segments + each_ - 1) / each_),
+      stations_(min(segments,
+                    max(label(1), label(0.5 * segments * ds / radius + 0.5)))),
       ds_(ds),
       radius_(radius),
       K_(segments)
@@ -33,9 +33,8 @@ Foam::scalar Foam::thicknessCouple::resolved(const deltaKernel& kernel,
 Foam::thicknessCouple::frame
 Foam::thicknessCouple::at(const vectorField& X, const label station) const
 {
-    const label first = station * each_, last = min(first + each_, segments_);
     frame f;
-    f.t = X[last] - X[first];
+    f.t = X[first(station + 1)] - X[first(station)];
     f.t /= mag(f.t);
 
     // Any direction across does: three points measure a linear field exactly
@@ -54,8 +53,7 @@ void Foam::thicknessCouple::markers(const vectorField& X, vector* points) const
     for (label j = 0; j < stations_; ++j)
     {
         const frame f(at(X, j));
-        const label first = j * each_, last = min(first + each_, segments_);
-        const vector centre(0.5 * (X[first] + X[last]));
+        const vector centre(0.5 * (X[first(j)] + X[first(j + 1)]));
         for (const vector& e : f.e)
         {
             *points++ = centre + radius_ * e;
@@ -75,7 +73,7 @@ Foam::vectorField Foam::thicknessCouple::shear(const vectorField& X,
         {
             here += 2.0 / 3 / radius_ * (*U++ & f.t) * e;
         }
-        for (label i = j * each_; i < min((j + 1) * each_, segments_); ++i)
+        for (label i = first(j); i < first(j + 1); ++i)
         {
             g[i] = here;
         }
@@ -90,7 +88,7 @@ void Foam::thicknessCouple::forces(const vectorField& X, const vectorField& V,
     {
         const frame f(at(X, j));
         vector dipole(Zero);
-        for (label i = j * each_; i < min((j + 1) * each_, segments_); ++i)
+        for (label i = first(j); i < first(j + 1); ++i)
         {
             dipole -= K_[i] * (ds_ * shear[i] + V[i + 1] - V[i]);
         }

@@ -243,6 +243,18 @@ void Foam::staggeredFlow::updateVelocity()
     }
 }
 
+Foam::staggeredView Foam::staggeredFlow::velocity() const
+{
+    staggeredView v;
+    v.row = block_.stride(1);
+    v.layer = block_.stride(2);
+    for (direction d = 0; d < 3; ++d)
+    {
+        v.first[d] = u_[d].data() + block_.place(0, 0, 0);
+    }
+    return v;
+}
+
 void Foam::staggeredFlow::velocity(staggeredField& u) const
 {
     block_.rows(

@@ -165,33 +165,14 @@ void Foam::staggeredFlow::askBodies(const scalar dt, const stage& s,
                                     staggeredField& increment)
 {
     const scalar number = nuMax_ * dt / std::pow(grid_.cellVolume(), 2.0 / 3);
-    const scalar kept = explicit_ ? 1 : 1 / (1 + 0.75 * number);
-    const scalar gamma = (explicit_ ? 1 : 0.7 * kept) / s.rest;
-    {
-        const auto timing(effects_.time("momentum"));
-        block_.rows(
-            [&](const label q, const label n)
-            {
-                for (direction d = 0; d < 3; ++d)
-                {
-                    const double* __restrict__ u = u_[d].data() + q;
-                    const double* __restrict__ r = increment[d].cdata() + n;
-                    double* __restrict__ p = (*prediction_)[d].data() + n;
-                    for (label i = 0; i < box_.size.x(); ++i)
-                    {
-                        p[i] = u[i] + gamma * r[i];
-                    }
-                }
-            });
-    }
-    bodies_(*prediction_, kept);
+    const scalar kept = explicit_ ? 1 : implicitDiffusion::kept(number);
+    const scalar part = (explicit_ ? 1 : 0.7 * kept) / s.rest;
+    prediction p{
+        {velocity(), {increment, part}}, kept, {{s.rest * dt, &increment}}};
 
-    const auto timing(effects_.time("momentum"));
-    for (direction d = 0; d < 3; ++d)
-    {
-        increment[d] += s.rest * dt * (*prediction_)[d];
-        if (RK3_) force_[d] += (*prediction_)[d];
-    }
+    // Later stages of RK3 have the force as well
+    if (RK3_) p.force.emplace_back(1, &force_);
+    bodies_(p);
 }
 
 void Foam::staggeredFlow::predict(const scalar dt, const stage& s,

@@ -14,21 +14,6 @@ Foam::deltaKernel::deltaKernel(const dictionary& dict)
 {
 }
 
-Foam::scalar Foam::deltaKernel::phi(scalar r) const
-{
-    r = std::abs(r);
-    if (type_ == Roma3)
-    {
-        if (r <= 0.5) return (1 + std::sqrt(1 - 3 * r * r)) / 3;
-        if (r >= 1.5) return 0;
-        const scalar q = 1 - r;
-        return (5 - 3 * r - std::sqrt(std::max(0.0, 1 - 3 * q * q))) / 6;
-    }
-    if (r <= 1) return (3 - 2 * r + std::sqrt(1 + 4 * r * (1 - r))) / 8;
-    if (r >= 2) return 0;
-    return (5 - 2 * r - std::sqrt(std::max(0.0, -7 + 12 * r - 4 * r * r))) / 8;
-}
-
 void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
                                 const label first, const label last,
                                 const label n, const bool periodic,
@@ -39,7 +24,7 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
                                      : min(max(x - offset, first - scalar(0.5)),
                                            last + scalar(0.5));
     label lowest, nPoints;
-    FixedList<scalar, 4> weight;
+    FixedList<scalar, 4>& weight = s.weight;
     if (type_ == Roma3)
     {
         // The weights beside the middle one follow from unit sum and zero
@@ -59,6 +44,17 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
         {
             weight[k] = phi(position - (lowest + k));
         }
+    }
+
+    if (lowest >= (periodic ? 0 : first) &&
+        lowest + nPoints - 1 <= (periodic ? n - 1 : last))
+    {
+        s.size = nPoints;
+        for (label k = 0; k < nPoints; ++k)
+        {
+            s.at[k] = lowest + k;
+        }
+        return;
     }
 
     s.size = 0;
