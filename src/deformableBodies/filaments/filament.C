@@ -90,29 +90,39 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
     const scalar c1 = first ? -1 / dt : -(1 + r) / dt;
     const scalar c2 = first ? 0 : sqr(r) / ((1 + r) * dt);
 
-    // Newton's method from an extrapolation
+    // Newton's method from an extrapolation, with the first matrix for as long as
+    // that converges well
     vectorField X(ahead(dt)), V(X.size()), R(X.size());
     scalarField T(T_);
     bandedMatrix<8> A(n);
     std::vector<double> change(n);
+    bool fresh = true;
+    scalar before = GREAT;
+
     // Drag across and along the extrapolated shape
     List<symmTensor> drag(s.points.size());
+    scalar meanDrag = 0;
     forAll(drag, k)
     {
         const label i = s.points[k].segment;
         const vector t((X[i + 1] - X[i]) / ds);
         drag[k] = s.drag[k] * (symmTensor::I - (1 - all_.dragRatio) * sqr(t));
+        meanDrag += s.drag[k] / (N + 1);
     }
+
+    // Tension in units that make its rows as large as those of the places
+    const scalar unit =
+        ds * all_.mass * sqr(c0) + meanDrag * c0 + 6 * stiffness;
 
     forAll(X, i)
     {
         if (held(i)) X[i] = heldPlace(i, dt);
     }
 
-    for (label iteration = 0; iteration < 12; ++iteration)
+    for (label iteration = 0; iteration < 20; ++iteration)
     {
         ++iterations_;
-        A.clear();
+        if (fresh) A.clear();
         forAll(X, i)
         {
             const scalar w = weight(i) * ds;
@@ -120,7 +130,7 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
             const vector acceleration(c0 * V[i] + c1 * V_[i] +
                                       c2 * VBefore_[i]);
             R[i] = w * (all_.mass * acceleration - s.force[i]);
-            for (direction d = 0; d < 3; ++d)
+            for (direction d = 0; d < 3 && fresh; ++d)
             {
                 A(4 * i + d, 4 * i + d) += w * all_.mass * sqr(c0);
             }
@@ -133,7 +143,7 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
             for (int a = 0; a < 2; ++a)
             {
                 R[p.segment + a] += share[a] * F;
-                for (int b = 0; b < 2; ++b)
+                for (int b = 0; b < 2 && fresh; ++b)
                 {
                     const tensor D(share[a] * share[b] * c0 * drag[k]);
                     for (direction d = 0; d < 9; ++d)
@@ -153,7 +163,7 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
                 for (int a = 0; a < 3; ++a)
                 {
                     R[at[a]] += factor[a] * force;
-                    for (int b = 0; b < 3; ++b)
+                    for (int b = 0; b < 3 && fresh; ++b)
                     {
                         for (direction d = 0; d < 3; ++d)
                         {
@@ -175,37 +185,35 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
             }
             R[i] -= pull;
             R[i + 1] += pull;
-            for (direction d = 0; d < 3; ++d)
+            for (direction d = 0; d < 3 && fresh; ++d)
             {
                 const label a = 4 * i + d, b = a + 4, k = 4 * i + 3;
                 A(a, a) += answer;
                 A(b, b) += answer;
                 A(a, b) -= answer;
                 A(b, a) -= answer;
-                A(a, k) -= t[d];
-                A(b, k) += t[d];
-                A(k, a) -= t[d];
-                A(k, b) += t[d];
+                A(a, k) = A(k, a) = -unit * t[d];
+                A(b, k) = A(k, b) = unit * t[d];
             }
-            change[4 * i + 3] = -0.5 * ds * (magSqr(t) - 1);
+            change[4 * i + 3] = -0.5 * unit * ds * (magSqr(t) - 1);
         }
         forAll(X, i)
         {
             for (direction d = 0; d < 3; ++d)
             {
                 const label a = 4 * i + d;
-                change[a] = -R[i][d];
-                if (!held(i)) continue;
+                change[a] = held(i) ? 0 : -R[i][d];
+                if (!held(i) || !fresh) continue;
                 for (label j = max(label(0), a - 8); j <= min(n - 1, a + 8);
                      ++j)
                 {
                     A(a, j) = 0;
                 }
-                A(a, a) = 1;
-                change[a] = 0;
+                A(a, a) = unit;
             }
         }
-        if (!A.solve(change)) return false;
+        if (fresh && !A.factor()) return false;
+        A.solve(change);
 
         scalar largest = 0;
         forAll(X, i)
@@ -214,12 +222,16 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
                             change[4 * i + 2]);
             X[i] += dX;
             largest = max(largest, mag(dX));
-            if (i < N) T[i] += change[4 * i + 3];
+            if (i < N) T[i] += unit * change[4 * i + 3];
         }
         if (!(largest < all_.length)) return false;
 
-        // The error left is the square of the last change
-        if (largest < 1e-6 * ds)
+        // The error left is the square of the last change with a matrix of its
+        // own, else that change times the rate of convergence
+        const scalar left =
+            fresh ? sqr(largest / ds)
+                  : largest / ds * min(largest / before, scalar(1));
+        if (left < 1e-12)
         {
             VBefore_ = V_;
             V_ = c0 * X + c1 * X_ + c2 * XBefore_;
@@ -231,6 +243,8 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
             timeLeft_ -= dt;
             return true;
         }
+        fresh = largest > 0.1 * (iteration == 0 ? ds : before);
+        before = largest;
     }
     return false;
 }
@@ -297,7 +311,8 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
                (t & (inverse[i + 1] * loaded[i + 1] - inverse[i] * loaded[i])) /
                    ds;
     }
-    if (!tension.solve(T)) return false;
+    if (!tension.factor()) return false;
+    tension.solve(T);
 
     // Places: tension and bending at n+1, or on the mean of n+1 and n-1
     const scalar part = centred ? 0.5 : 1;
@@ -359,7 +374,8 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
             X[3 * i + d] = b[i][d];
         }
     }
-    if (!A.solve<3>(X)) return false;
+    if (!A.factor()) return false;
+    A.solve<3>(X);
 
     XBefore_ = X_;
     VBefore_ = V_;
@@ -375,12 +391,19 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
     return lengthError() < 0.5;
 }
 
-bool Foam::filament::stepWithin(const scalar dt, const surroundings& s,
-                                const label depth)
+// Two steps of half the size, and so on
+bool Foam::filament::halves(const scalar dt, const surroundings& s,
+                            const label depth)
 {
-    if (tryStep(dt, s)) return true;
-    return depth > 0 && stepWithin(0.5 * dt, s, depth - 1) &&
-           stepWithin(0.5 * dt, s, depth - 1);
+    for (int part = 0; part < 2; ++part)
+    {
+        if (!tryStep(0.5 * dt, s) &&
+            (depth == 1 || !halves(0.5 * dt, s, depth - 1)))
+        {
+            return false;
+        }
+    }
+    return true;
 }
 
 bool Foam::filament::step(const scalar dt, const surroundings& s)
@@ -388,8 +411,13 @@ bool Foam::filament::step(const scalar dt, const surroundings& s)
     iterations_ = 0;
     timeLeft_ = dt;
     meanV_ = Zero;
+    if (all_.scheme == IMPLICIT && tryStep(dt, s))
+    {
+        meanV_ /= dt;
+        return true;
+    }
     const filament before(*this);
-    if (all_.scheme == IMPLICIT ? stepWithin(dt, s, 6) : twoStep(dt, s.force))
+    if (all_.scheme == IMPLICIT ? halves(dt, s, 6) : twoStep(dt, s.force))
     {
         meanV_ /= dt;
         return true;

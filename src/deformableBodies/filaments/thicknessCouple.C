@@ -9,7 +9,7 @@ Foam::thicknessCouple::thicknessCouple(const label segments, const scalar ds,
                                        const scalar radius)
     : segments_(segments),
       stations_(min(segments,
-                    max(label(1), label(0.5 * segments * ds / radius + 0.5)))),
+                    max(label(1), label(segments * ds / radius / 3 + 0.5)))),
       ds_(ds),
       radius_(radius),
       K_(segments)
