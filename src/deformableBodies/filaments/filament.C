@@ -94,7 +94,7 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
     // that converges well
     vectorField X(ahead(dt)), V(X.size()), R(X.size());
     scalarField T(T_);
-    bandedMatrix<8> A(n);
+    static bandedMatrix<8> A;
     std::vector<double> change(n);
     bool fresh = true;
     scalar before = GREAT;
@@ -122,7 +122,7 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
     for (label iteration = 0; iteration < 20; ++iteration)
     {
         ++iterations_;
-        if (fresh) A.clear();
+        if (fresh) A.clear(n);
         forAll(X, i)
         {
             const scalar w = weight(i) * ds;
@@ -282,8 +282,8 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
         });
 
     // Tension that keeps the lengths: t.(a_{i+1} - a_i)/ds as below
-    bandedMatrix<1> tension(N);
-    tension.clear();
+    bandedMatrix<1> tension;
+    tension.clear(N);
     std::vector<double> T(N);
     scalarField inverse(N + 1);
     forAll(inverse, i)
@@ -316,8 +316,8 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
 
     // Places: tension and bending at n+1, or on the mean of n+1 and n-1
     const scalar part = centred ? 0.5 : 1;
-    bandedMatrix<2> A(N + 1);
-    A.clear();
+    bandedMatrix<2> A;
+    A.clear(N + 1);
     std::vector<double> X(3 * (N + 1));
     vectorField b(force);
     const auto add = [&](const label i, const label j, const scalar value)
