@@ -3,6 +3,9 @@
 #include "immersedBoundary.H"
 #include "indexExchange.H"
 #include "PstreamBuffers.H"
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 Foam::immersedBoundary::immersedBoundary(const uniformGrid& grid,
                                          const deltaKernel& kernel)
@@ -117,17 +120,56 @@ void Foam::immersedBoundary::rows(const marker& m, const direction d,
     }
 }
 
+// In bunches of neighbours in the list, from low z to high: what one bunch has
+// fetched others find in the cache. Rows are fetched ahead of the sums, as they lie
+// all over memory: a third of the time
+template<class Visit>
+void Foam::immersedBoundary::eachMarker(const vectorField& X,
+                                        const List<staggeredView>& fields,
+                                        Visit visit) const
+{
+    constexpr label size = 4;
+    std::vector<std::pair<scalar, label>> bunches;
+    for (label first = 0; first < X.size(); first += size)
+    {
+        bunches.emplace_back(X[first].z(), first);
+    }
+    std::sort(bunches.begin(), bunches.end());
+
+    marker m[size];
+    for (const auto& bunch : bunches)
+    {
+        const label first = bunch.second, n = min(size, X.size() - first);
+        for (label k = 0; k < n; ++k)
+        {
+            locate(X[first + k], m[k]);
+            for (const staggeredView& field : fields)
+            {
+                for (direction d = 0; d < 3; ++d)
+                {
+                    const scalar* values = field.first[d] + m[k].x(d).at[0];
+                    rows(m[k], d, field,
+                         [&](const label row, scalar)
+                         { __builtin_prefetch(values + row); });
+                }
+            }
+        }
+        for (label k = 0; k < n; ++k)
+        {
+            visit(first + k, m[k]);
+        }
+    }
+}
+
 void Foam::immersedBoundary::gather(const vectorField& X,
                                     const List<staggeredView>& u,
                                     vectorField& U) const
 {
-    marker m;
-    forAll(X, markeri)
+    const auto visit = [&](const label markeri, const marker& m)
     {
-        locate(X[markeri], m);
         for (direction d = 0; d < 3; ++d)
         {
-            const kernelStencil& sx = d == 0 ? m.face[0] : m.centre[0];
+            const kernelStencil& sx = m.x(d);
             U[markeri][d] = 0;
             for (const staggeredView& v : u)
             {
@@ -146,20 +188,19 @@ void Foam::immersedBoundary::gather(const vectorField& X,
                 U[markeri][d] += v.factor * sum;
             }
         }
-    }
+    };
+    eachMarker(X, u, visit);
 }
 
 void Foam::immersedBoundary::scatter(const vectorField& X, const vectorField& F,
                                      staggeredField& f) const
 {
     const scalar perVolume = 1 / grid_.cellVolume();
-    marker m;
-    forAll(X, markeri)
+    const auto visit = [&](const label markeri, const marker& m)
     {
-        locate(X[markeri], m);
         for (direction d = 0; d < 3; ++d)
         {
-            const kernelStencil& sx = d == 0 ? m.face[0] : m.centre[0];
+            const kernelStencil& sx = m.x(d);
             const scalar density = F[markeri][d] * perVolume;
             scalar* values = f[d].data();
             rows(m, d, f,
@@ -172,7 +213,8 @@ void Foam::immersedBoundary::scatter(const vectorField& X, const vectorField& F,
                      }
                  });
         }
-    }
+    };
+    eachMarker(X, {f}, visit);
 }
 
 void Foam::immersedBoundary::interpolate(const vectorField& X,

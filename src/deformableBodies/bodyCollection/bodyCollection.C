@@ -239,7 +239,7 @@ void Foam::bodyCollection::advance(const staggeredView& u,
         return;
     }
 
-    const labelList now(groupsThat(false)), later(groupsThat(true));
+    const labelList now(groupsThat(false));
     const scalar dt = time.deltaTValue();
     if (time.timeIndex() % sampleInterval_ == 0) observe(u);
     if (!alone_)
@@ -261,17 +261,11 @@ void Foam::bodyCollection::advance(const staggeredView& u,
     const scalar number = nu_ * dt / std::pow(grid_.cellVolume(), 2.0 / 3);
     move(now, false, implicitDiffusion::kept(number));
 
-    // Those that wait: their markers for this step, and the last force there
-    for (const label g : later)
-    {
-        X_.setSize(groups_[g].nMarkers());
-        groups_[g].markers(X_.data(), dt);
-    }
     force.clear();
-    collectLoads(identity(groups_.size()));
+    collectLoads(now);
     spread(force);
 
-    if (later.empty() && time.timeIndex() % sampleInterval_ == 0)
+    if (!waiting() && time.timeIndex() % sampleInterval_ == 0)
     {
         sample(time.value());
     }
@@ -279,14 +273,27 @@ void Foam::bodyCollection::advance(const staggeredView& u,
 
 void Foam::bodyCollection::correct(const staggeredFlow::prediction& p)
 {
+    // With the force of the last step, where the markers are now
     const labelList later(groupsThat(true));
+    const Time& time = mesh_.time();
+    for (const label g : later)
+    {
+        X_.setSize(groups_[g].nMarkers());
+        groups_[g].markers(X_.data(), time.deltaTValue());
+    }
     collectLoads(later);
+    const vectorField before(F_);
+    for (const auto& force : p.force)
+    {
+        spread(*force.second, force.first);
+    }
     {
         const auto timing(effects_.time("interpolation"));
         boundary_->interpolate(X_, p.u, U_);
     }
-    const vectorField before(F_);
     move(later, true, p.kept);
+
+    // And what it has changed by
     collectLoads(later);
     F_ -= before;
     for (const auto& force : p.force)
@@ -294,7 +301,6 @@ void Foam::bodyCollection::correct(const staggeredFlow::prediction& p)
         spread(*force.second, force.first);
     }
 
-    const Time& time = mesh_.time();
     if (time.timeIndex() % sampleInterval_ == 0) sample(time.value());
 }
 
