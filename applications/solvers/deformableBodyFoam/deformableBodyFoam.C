@@ -13,8 +13,10 @@ Description
       staggered  on uniform boxes, laminar: see staggeredFlow.H
       pimple     as pimpleFoam: any mesh, any condition, turbulence models
       auto       staggered where it can, else pimple; the log says why
-    Bodies move with the velocity of the last step and act at the faces, where
-    their force is balanced against the pressure gradient.
+        Capsules move with the velocity of the last step, filaments with one predicted
+    within the step (in pimple with the last); they act at the faces, where their
+    force is balanced against the pressure gradient.
+
 
     Without constant/deformableBodies it is pimpleFoam on a static mesh.
 
@@ -42,7 +44,8 @@ Usage
 int main(int argc, char* argv[])
 {
     argList::addNote("Transient solver for incompressible flow with deformable"
-                     " bodies (capsules) by the immersed boundary method.");
+                     " bodies (capsules, filaments) by the immersed boundary"
+                     " method.");
 
     #include "postProcess.H"
 

@@ -36,7 +36,7 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
 
     properties_.length = readPositive(dict, "length", dimLength);
     const scalar diameter = readPositive(dict, "diameter", dimLength);
-    radius_ = 0.5 * diameter;
+
     properties_.segments = byAccuracy<label>(dict, "segments", 16, 32, 64);
     if (properties_.segments < 3 || properties_.segments > 10000)
     {
@@ -69,7 +69,7 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
     shearPlane_ = readShearPlane(dict);
 
     // Mass and weight. In two-way coupling the fluid in its place is solved
-    displaced_ = scene.rho * constant::mathematical::pi * sqr(radius_);
+    displaced_ = 0.25 * constant::mathematical::pi * sqr(diameter) * scene.rho;
     const scalar ratio = dict.found("densityRatio")
                              ? readPositive(dict, "densityRatio", dimless)
                              : 1;
@@ -93,7 +93,9 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
     {
         refuse(dict, "scheme", scheme, "implicit, or coupling none");
     }
-    readCouplingEntries(dict, diameter);
+    const scalar h = std::cbrt(scene.grid.cellVolume());
+    thickness_ = twoWay() ? 2 * scene.kernel.lineRadius() * h : diameter;
+    readCouplingEntries(dict);
 
     const pointField positions(readPositions(dict));
     const vectorField directions(dict.lookup("directions"));
@@ -135,18 +137,21 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
                               0});
     }
 
+    const scalar fraction = nBodies() * properties_.length * 0.25 *
+                            constant::mathematical::pi * sqr(thickness_) /
+                            cmptProduct(scene.grid.length());
     scene_.effects.declare("filament", true,
                            Foam::name(nBodies()) + " filaments of " +
                                Foam::name(properties_.segments) +
-                               " segments, " + ends[0] + " " + ends[1]);
+                               " segments, " + ends[0] + " " + ends[1] +
+                               ", volume fraction " + Foam::name(fraction));
     scene_.effects.declare("gravity", weight_ != vector::zero,
                            weight_ != vector::zero ? "weight of the filaments"
                                                    : "none on the bodies");
 }
 
 // What joins them to the fluid: drag, markers, thickness
-void Foam::filaments::readCouplingEntries(const dictionary& dict,
-                                          const scalar diameter)
+void Foam::filaments::readCouplingEntries(const dictionary& dict)
 {
     properties_.dragRatio = 1;
     if (dict.found("baseMotion"))
@@ -164,13 +169,11 @@ void Foam::filaments::readCouplingEntries(const dictionary& dict,
 
     const scalar pi = constant::mathematical::pi, L = properties_.length;
     const scalar h = std::cbrt(scene_.grid.cellVolume());
-    const scalar thick =
-        twoWay() ? 2 * scene_.kernel.lineRadius() * h : diameter;
-    const scalar slender = std::log(2 * L / thick);
+    const scalar slender = std::log(2 * L / thickness_);
     if (slender < 1)
     {
         refuse(dict, twoWay() ? "length" : "diameter",
-               Foam::name(twoWay() ? L : diameter),
+               Foam::name(twoWay() ? L : thickness_),
                twoWay() ? "more than 3 cells, as it is 1.5 to 2 cells thick"
                         : "less than " + Foam::name(2 * L / std::exp(1.0)) +
                               " at this length, for the drag of a slender "
@@ -192,10 +195,11 @@ void Foam::filaments::readCouplingEntries(const dictionary& dict,
         makePoints(properties_.segments, 0.5 * properties_.ds());
     }
 
-    const bool on = dict.getOrDefault<bool>("thicknessCouple", L < 50 * thick);
+    const bool on =
+        dict.getOrDefault<bool>("thicknessCouple", L < 50 * thickness_);
     if (on)
     {
-        const scalar r = L / thick, re = 1.24 * r / std::sqrt(std::log(r));
+        const scalar r = L / thickness_, re = 1.24 * r / std::sqrt(std::log(r));
         couple_.reset(new thicknessCouple(
             properties_.segments, properties_.ds(),
             twoWay() ? thicknessCouple::resolved(scene_.kernel, scene_.mu, h)
@@ -203,9 +207,9 @@ void Foam::filaments::readCouplingEntries(const dictionary& dict,
             inset, 1.5 * h));
     }
     scene_.effects.declare("thicknessCouple", on,
-                           Foam::name(L / thick) + " diameters of " +
-                               (twoWay() ? Foam::name(thick / h) + " cells"
-                                         : Foam::name(thick) + " m") +
+                           Foam::name(L / thickness_) + " diameters of " +
+                               (twoWay() ? Foam::name(thickness_ / h) + " cells"
+                                         : Foam::name(thickness_) + " m") +
                                " long");
 }
 
