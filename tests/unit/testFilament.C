@@ -371,6 +371,24 @@ TEST(Filament, DISABLED_largestSteps)
     }
 }
 
+// Steps that Newton's method cannot take are halved, and go through
+TEST(Filament, halvesItsSteps)
+{
+    const auto p = make(32, 0, filament::HINGED, filament::FREE);
+    filament x(p, Zero, vector(0, 1, 0));
+    label most = 0;
+    scalar length = 0;
+    run(x, 1, 8, vector(-1, 0, 0),
+        [&](const filament& f, scalar)
+        {
+            most = max(most, f.iterations());
+            length = max(length, f.lengthError());
+        });
+    std::printf("    %d iterations in one step\n", int(most));
+    EXPECT_GT(most, 20);
+    test::expectBelow("length of the segments", length, 1e-10);
+}
+
 // Run by tests/bench/filament: microseconds per step
 TEST(Filament, DISABLED_cost)
 {
