@@ -13,10 +13,9 @@ Description
       staggered  on uniform boxes, laminar: see staggeredFlow.H
       pimple     as pimpleFoam: any mesh, any condition, turbulence models
       auto       staggered where it can, else pimple; the log says why
-        Capsules move with the velocity of the last step, filaments with one predicted
+    Capsules move with the velocity of the last step, filaments with one predicted
     within the step (in pimple with the last); they act at the faces, where their
     force is balanced against the pressure gradient.
-
 
     Without constant/deformableBodies it is pimpleFoam on a static mesh.
 

@@ -34,8 +34,12 @@ void Foam::effectLedger::declare(const word& name, const bool active,
     {
         if (e.name == name)
         {
-            // One group that needs it is enough
+            // One group that needs it is enough; what others say of it follows
             if (active && !e.active) e = effect{name, true, note, 0, 0};
+            if (active && e.note.find(note) == string::npos)
+            {
+                e.note += "; " + note;
+            }
             return;
         }
     }

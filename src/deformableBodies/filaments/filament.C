@@ -105,7 +105,8 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
     forAll(drag, k)
     {
         const label i = s.points[k].segment;
-        const vector t((X[i + 1] - X[i]) / ds);
+        vector t(X[i + 1] - X[i]);
+        t /= mag(t);
         drag[k] = s.drag[k] * (symmTensor::I - (1 - all_.dragRatio) * sqr(t));
         meanDrag += s.drag[k] / (N + 1);
     }
@@ -226,8 +227,9 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
         }
         if (!(largest < all_.length)) return false;
 
-        // The error left is the square of the last change with a matrix of its
-        // own, else that change times the rate of convergence
+        // The lengths' error left is the square of the last change with a matrix
+        // of its own, else that change times the rate of convergence
+
         const scalar left =
             fresh ? sqr(largest / ds)
                   : largest / ds * min(largest / before, scalar(1));

@@ -108,7 +108,11 @@ bool Foam::filaments::moveOne(fibre& x, const vector* U, const bodyStep& s)
         {
             // The fluid in its place would accelerate like this
             around.drag[k] = drag_ * properties_.length / n;
-            around.U[k] += displaced_ / (s.dt * drag_) * change;
+            const vector inertia(displaced_ * properties_.length / n / x.dt *
+                                 change);
+            const label i = points_[k].segment;
+            around.force[i] += (1 - points_[k].at) / lengthOf(i) * inertia;
+            around.force[i + 1] += points_[k].at / lengthOf(i + 1) * inertia;
         }
     }
     if (couple_)
@@ -118,6 +122,7 @@ bool Foam::filaments::moveOne(fibre& x, const vector* U, const bodyStep& s)
     }
 
     if (!x.line.step(s.dt, around)) return false;
+    x.dt = s.dt;
 
     if (twoWay())
     {
@@ -141,7 +146,8 @@ Foam::string Foam::filaments::move(const vector* U, const bodyStep& s)
         {
             trouble = "body " + Foam::name(mine()[i]) + " of group " + name() +
                       ": no tension holds its length, even in a 64th of the "
-                      "step";
+                      "step (a floppy filament as light as the fluid needs "
+                      "segments no shorter than a cell)";
         }
         U += markersEach();
     }
@@ -159,6 +165,8 @@ Foam::scalarList Foam::filaments::state(const label i) const
     DynamicList<scalar> s;
     x.line.save(s);
     s.append(x.slip);
+    s.append(x.dt);
+
     for (const vectorField* v : {&x.U, &x.forces})
     {
         for (const vector& y : *v)
@@ -177,19 +185,31 @@ void Foam::filaments::setState(const label i, const scalarList& state,
 {
     fibre& x = filaments_[i];
     const label own = x.line.stateSize();
-    const label all = own + 1 + 3 * (x.U.size() + x.forces.size());
+    const label all = own + 2 + 3 * (x.U.size() + x.forces.size());
+
     if (state.size() != all)
     {
         FatalIOErrorInFunction(source)
             << "the saved state of body " << mine()[i] << " has "
             << state.size() << " numbers where " << all
             << " belong to its segments and coupling: was one of the entries "
-            << "segments, coupling, thicknessCouple changed?"
-            << exit(FatalIOError);
+            << "segments, coupling, thicknessCouple, kernel or the size of the "
+            << "cells changed?" << exit(FatalIOError);
     }
     x.line.restore(state.cdata());
+    if (properties_.scheme == filament::IMPLICIT && x.line.lengthError() > 1e-6)
+
+    {
+        FatalIOErrorInFunction(source)
+            << "the saved state of body " << mine()[i]
+            << " has segments of another length: was the entry length changed?"
+            << exit(FatalIOError);
+    }
+
     const scalar* at = state.cdata() + own;
     x.slip = *at++;
+    x.dt = *at++;
+
     for (vectorField* v : {&x.U, &x.forces})
     {
         for (vector& y : *v)

@@ -37,7 +37,15 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
     properties_.length = readPositive(dict, "length", dimLength);
     const scalar diameter = readPositive(dict, "diameter", dimLength);
 
+    // The fluid tells nothing apart within a cell
+    const scalar h = std::cbrt(scene.grid.cellVolume());
     properties_.segments = byAccuracy<label>(dict, "segments", 16, 32, 64);
+    if (twoWay() && !dict.found("segments"))
+    {
+        properties_.segments = max(
+            label(3), min(properties_.segments, label(properties_.length / h)));
+    }
+
     if (properties_.segments < 3 || properties_.segments > 10000)
     {
         refuse(dict, "segments", Foam::name(properties_.segments),
@@ -93,7 +101,6 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
     {
         refuse(dict, "scheme", scheme, "implicit, or coupling none");
     }
-    const scalar h = std::cbrt(scene.grid.cellVolume());
     thickness_ = twoWay() ? 2 * scene.kernel.lineRadius() * h : diameter;
     readCouplingEntries(dict);
 
@@ -111,12 +118,7 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
         refuse(dict, "bow", Foam::name(mag(bow)) + " m",
                "up to 0.3 of the length");
     }
-    if (bow == vector::zero && properties_.ends[0] != filament::FREE &&
-        properties_.ends[1] != filament::FREE)
-    {
-        refuse(dict, "bow", "(0 0 0)",
-               "a bow, where both ends are held: a straight one cannot move");
-    }
+
     filaments_.reserve(mine().size());
     forAll(positions, body)
     {
@@ -124,17 +126,30 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
         {
             refuse(dict, "directions", "(0 0 0)", "directions");
         }
+        if (properties_.ends[0] != filament::FREE &&
+            properties_.ends[1] != filament::FREE &&
+            !(mag(bow ^ directions[body]) >
+              1e-6 * properties_.length * mag(directions[body])))
+        {
+            OStringStream given;
+            given << bow;
+            refuse(dict, "bow", given.str(),
+                   "a bow across the direction where both ends are held, as a "
+                   "straight filament could not move");
+        }
+
         filament x(properties_,
                    firstShape(positions[body], directions[body], bow));
         x.clamp(0, directions[body]);
         x.clamp(1, directions[body]);
         checkFits(dict, x, body);
-        if (!mine().found(body)) continue;
+        if (body % Pstream::nProcs() != Pstream::myProcNo()) continue;
+
         filaments_.push_back({x, vectorField(points_.size(), Zero), x.places(),
                               vectorField(markersEach()),
                               vectorField(twoWay() ? markersEach() : 0, Zero),
-                              x.places()[movedEnd() * properties_.segments],
-                              0});
+                              x.places()[movedEnd() * properties_.segments], 0,
+                              1});
     }
 
     const scalar fraction = nBodies() * properties_.length * 0.25 *
@@ -170,23 +185,27 @@ void Foam::filaments::readCouplingEntries(const dictionary& dict)
     const scalar pi = constant::mathematical::pi, L = properties_.length;
     const scalar h = std::cbrt(scene_.grid.cellVolume());
     const scalar slender = std::log(2 * L / thickness_);
-    if (slender < 1)
+    if (twoWay() ? L < 3 * h : slender < 1.807)
     {
         refuse(dict, twoWay() ? "length" : "diameter",
                Foam::name(twoWay() ? L : thickness_),
-               twoWay() ? "more than 3 cells, as it is 1.5 to 2 cells thick"
-                        : "less than " + Foam::name(2 * L / std::exp(1.0)) +
+               twoWay() ? "3 cells and more, as it is 1.5 to 2 cells thick"
+                        : "less than " + Foam::name(2 * L / std::exp(1.807)) +
                               " at this length, for the drag of a slender "
                               "body");
     }
     const scalar inset = twoWay() ? scene_.kernel.endInset() * h : 0;
-    if (twoWay())
+    const bool limp = properties_.rigidity == 0 && properties_.mass == 0;
+    if (twoWay() && limp)
     {
-        // Closer than a cell the fluid cannot tell points from each other; nodes
-        // without mass and stiffness need one each
-        const label n = label((L - 2 * inset) / h + 0.5) + 1;
-        const bool limp = properties_.rigidity == 0 && properties_.mass == 0;
-        makePoints(max(n, limp ? properties_.segments + 1 : 2), inset);
+        // Nothing but drag holds its nodes: one point for each
+        makePoints(properties_.segments + 1,
+                   min(inset, 0.5 * properties_.ds()));
+    }
+    else if (twoWay())
+    {
+        // Closer than a cell the fluid cannot tell points from each other
+        makePoints(label((L - 2 * inset) / h + 0.5) + 1, inset);
     }
     else
     {

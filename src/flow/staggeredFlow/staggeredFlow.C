@@ -93,8 +93,8 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
         refuse(controls, "diffusion", diffusion_,
                "auto, ADI or explicit where two directions have walls");
     }
-    transforms_ = diffusion_ == "FFT" ||
-                  (diffusion_ == "auto" && stiffBodies && nWalled < 2);
+    mayTransform_ = diffusion_ == "FFT" ||
+                    (diffusion_ == "auto" && stiffBodies && nWalled < 2);
 
     // First, as making it takes memory for a moment
     {
@@ -318,12 +318,14 @@ void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
         }
     }
     if (explicit_ != before) hasLast_ = false;
-    if (!explicit_ && !implicit_)
+    const bool ADI = !transforms_;
+    transforms_ = mayTransform_ && (diffusion_ == "FFT" || number > 1);
+    if (transforms_ == ADI) responseTo_ = -1;
+    if (!explicit_ && !implicit_[transforms_])
     {
-        transforms_ = transforms_ && (diffusion_ == "FFT" || number > 1);
-        implicit_.reset(new implicitDiffusion(grid_, transforms_));
+        implicit_[transforms_].reset(new implicitDiffusion(grid_, transforms_));
     }
-    if (explicit_ != before || !chosen_)
+    if (explicit_ != before || (!explicit_ && transforms_ == ADI) || !chosen_)
     {
         chosen_ = true;
         Info << "Diffusion: "

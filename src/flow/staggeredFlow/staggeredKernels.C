@@ -129,8 +129,9 @@ void Foam::staggeredFlow::holdMean(const direction c, scalar* increment,
     {
         response_.assign(box_.count(), 1);
         if (b > 0)
-            implicit_->solve(c, response_.data(), b,
-                             wallVelocities(FixedList<vector, 2>(Zero)));
+            implicit_[transforms_]->solve(
+                c, response_.data(), b,
+                wallVelocities(FixedList<vector, 2>(Zero)));
         scalar sum = 0;
         for (const scalar r : response_)
         {
@@ -203,8 +204,8 @@ void Foam::staggeredFlow::predict(const scalar dt, const stage& s,
         }
         for (direction d = 0; d < 3; ++d)
         {
-            implicit_->solve(d, force[d].data(), 0.5 * nuMax_ * s.rest * dt,
-                             change);
+            implicit_[transforms_]->solve(d, force[d].data(),
+                                          0.5 * nuMax_ * s.rest * dt, change);
         }
     }
     walls_ = wallsAhead_;
