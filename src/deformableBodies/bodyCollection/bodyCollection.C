@@ -242,7 +242,7 @@ void Foam::bodyCollection::advance(const staggeredView& u,
     const labelList now(groupsThat(false));
     const scalar dt = time.deltaTValue();
     if (time.timeIndex() % sampleInterval_ == 0) observe(u);
-    if (!alone_)
+        if (!alone_ && now.size())
     {
         const auto timing(effects_.time("interpolation"));
         X_.setSize(nMarkers(now));
