@@ -17,6 +17,7 @@ Foam::immersedBoundary::immersedBoundary(const uniformGrid& grid,
 
 void Foam::immersedBoundary::locate(const vector& X, marker& m) const
 {
+    m.whole = kernel_.nPoints();
     for (direction d = 0; d < 3; ++d)
     {
         const label n = grid_.n()[d];
@@ -27,11 +28,12 @@ void Foam::immersedBoundary::locate(const vector& X, marker& m) const
         kernel_.stencil(x, 0, 1, n - 1, n, periodic, m.face[d]);
         kernel_.stencil(x, 0.5, 0, n - 1, n, periodic, m.centre[d]);
 
-        // Points of this rank only, numbered within its box
+        // Points of this rank only, numbered within its box: all of them where no
+        // other rank has any of this direction
         for (kernelStencil* s : {&m.face[d], &m.centre[d]})
         {
-            label kept = 0;
-            for (label k = 0; k < s->size; ++k)
+            label kept = grid_.box().size[d] == n ? s->size : 0;
+            for (label k = kept; k < s->size; ++k)
             {
                 const label i = s->at[k] - grid_.box().lo[d];
                 if (i >= 0 && i < grid_.box().size[d])
@@ -42,6 +44,7 @@ void Foam::immersedBoundary::locate(const vector& X, marker& m) const
                 }
             }
             s->size = kept;
+            if (kept != m.whole) m.whole = 0;
         }
     }
 }
@@ -104,15 +107,16 @@ Foam::immersedBoundary::route(const vectorField& X) const
 
 // visit(first value of a row along x, weight of the row) for the points of
 // component d around a marker
-template<class Visit>
-void Foam::immersedBoundary::rows(const marker& m, const direction d,
-                                  const staggeredView& at, Visit visit)
+template<class Number, class Visit>
+void Foam::immersedBoundary::rows(const marker& m, const Number n,
+                                  const direction d, const staggeredView& at,
+                                  Visit visit)
 {
     const kernelStencil& sy = d == 1 ? m.face[1] : m.centre[1];
     const kernelStencil& sz = d == 2 ? m.face[2] : m.centre[2];
-    for (label k = 0; k < sz.size; ++k)
+    for (label k = 0; k < count(sz, n); ++k)
     {
-        for (label j = 0; j < sy.size; ++j)
+        for (label j = 0; j < count(sy, n); ++j)
         {
             visit(at.row * sy.at[j] + at.layer * sz.at[k],
                   sy.weight[j] * sz.weight[k]);
@@ -122,7 +126,7 @@ void Foam::immersedBoundary::rows(const marker& m, const direction d,
 
 // In bunches of neighbours in the list, from low z to high: what one bunch has
 // fetched others find in the cache. Rows are fetched ahead of the sums, as they lie
-// all over memory: a third of the time
+// all over memory
 template<class Visit>
 void Foam::immersedBoundary::eachMarker(const vectorField& X,
                                         const List<staggeredView>& fields,
@@ -148,7 +152,7 @@ void Foam::immersedBoundary::eachMarker(const vectorField& X,
                 for (direction d = 0; d < 3; ++d)
                 {
                     const scalar* values = field.first[d] + m[k].x(d).at[0];
-                    rows(m[k], d, field,
+                    rows(m[k], cut(), d, field,
                          [&](const label row, scalar)
                          { __builtin_prefetch(values + row); });
                 }
@@ -156,7 +160,12 @@ void Foam::immersedBoundary::eachMarker(const vectorField& X,
         }
         for (label k = 0; k < n; ++k)
         {
-            visit(first + k, m[k]);
+            if (m[k].whole == 3)
+                visit(first + k, m[k], std::integral_constant<label, 3>());
+            else if (m[k].whole == 4)
+                visit(first + k, m[k], std::integral_constant<label, 4>());
+            else
+                visit(first + k, m[k], cut());
         }
     }
 }
@@ -165,7 +174,7 @@ void Foam::immersedBoundary::gather(const vectorField& X,
                                     const List<staggeredView>& u,
                                     vectorField& U) const
 {
-    const auto visit = [&](const label markeri, const marker& m)
+    const auto visit = [&](const label markeri, const marker& m, const auto n)
     {
         for (direction d = 0; d < 3; ++d)
         {
@@ -175,11 +184,11 @@ void Foam::immersedBoundary::gather(const vectorField& X,
             {
                 const scalar* values = v.first[d];
                 scalar sum = 0;
-                rows(m, d, v,
+                rows(m, n, d, v,
                      [&](const label row, const scalar weight)
                      {
                          scalar part = 0;
-                         for (label i = 0; i < sx.size; ++i)
+                         for (label i = 0; i < count(sx, n); ++i)
                          {
                              part += sx.weight[i] * values[row + sx.at[i]];
                          }
@@ -196,17 +205,17 @@ void Foam::immersedBoundary::scatter(const vectorField& X, const vectorField& F,
                                      staggeredField& f) const
 {
     const scalar perVolume = 1 / grid_.cellVolume();
-    const auto visit = [&](const label markeri, const marker& m)
+    const auto visit = [&](const label markeri, const marker& m, const auto n)
     {
         for (direction d = 0; d < 3; ++d)
         {
             const kernelStencil& sx = m.x(d);
             const scalar density = F[markeri][d] * perVolume;
             scalar* values = f[d].data();
-            rows(m, d, f,
+            rows(m, n, d, f,
                  [&](const label row, const scalar weight)
                  {
-                     for (label i = 0; i < sx.size; ++i)
+                     for (label i = 0; i < count(sx, n); ++i)
                      {
                          values[row + sx.at[i]] +=
                              density * weight * sx.weight[i];

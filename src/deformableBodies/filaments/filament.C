@@ -75,7 +75,12 @@ Foam::vector Foam::filament::heldPlace(const label i, const scalar dt) const
 Foam::vectorField Foam::filament::ahead(const scalar dt) const
 {
     const scalar r = lastDeltaT_ > 0 ? dt / lastDeltaT_ : 0;
-    return X_ + dt * V_ + 0.5 * r * dt * (V_ - VBefore_);
+    vectorField X(X_.size());
+    forAll(X, i)
+    {
+        X[i] = X_[i] + dt * (V_[i] + 0.5 * r * (V_[i] - VBefore_[i]));
+    }
+    return X;
 }
 
 bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
@@ -235,13 +240,17 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
                   : largest / ds * min(largest / before, scalar(1));
         if (left < 1e-12)
         {
-            VBefore_ = V_;
-            V_ = c0 * X + c1 * X_ + c2 * XBefore_;
-            XBefore_ = X_;
-            X_ = X;
+            forAll(X, i)
+            {
+                VBefore_[i] = V_[i];
+                V_[i] = c0 * X[i] + c1 * X_[i] + c2 * XBefore_[i];
+                XBefore_[i] = X_[i];
+                X_[i] = X[i];
+                meanV_[i] += dt * V_[i];
+            }
             T_ = T;
             lastDeltaT_ = dt;
-            meanV_ += dt * V_;
+
             timeLeft_ -= dt;
             return true;
         }
