@@ -37,6 +37,16 @@ finish()
     exit
 }
 
+# relative <a> <b>: difference, relative to b
+relative() { awk -v a="$1" -v b="$2" 'BEGIN { d = a/b - 1; print d < 0 ? -d : d }'; }
+
+# column <name> <file>: of a .dat file of bodies
+column()
+{
+    awk -v c="$1" '/^#/ { for (i = 2; i <= NF; ++i) n[$i] = i - 1; next }
+        { print $n[c] }' "$2"
+}
+
 mpi() { timeout 900 mpirun --bind-to none --oversubscribe "$@"; }
 
 # shearCase <folder> [entry value]...: the tutorial's case, small by default

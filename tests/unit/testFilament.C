@@ -2,69 +2,11 @@
 
 // Filaments by themselves, against exact solutions. Length 1, mass per length 1
 
-#include "unitTest.H"
-#include "filament.H"
-#include "mathematicalConstants.H"
+#include "testFilament.H"
 #include <chrono>
 
 using namespace Foam;
-
-namespace
-{
-filament::properties make(const label N, const scalar rigidity,
-                          const filament::endType first,
-                          const filament::endType last)
-{
-    filament::properties p{N, 1, 1, rigidity, {}, 1, filament::IMPLICIT};
-    p.ends[0] = first;
-    p.ends[1] = last;
-    return p;
-}
-
-//- The nodes as points of a filament, and their lengths: drag is given per length
-filament::surroundings around(const filament& x, const vectorField& force,
-                              const scalarField& drag, const vectorField& U)
-{
-    const label N = x.places().size() - 1;
-    const scalar ds = mag(x.places()[1] - x.places()[0]);
-    filament::surroundings s{force, List<filament::place>(N + 1), ds * drag, U};
-    for (label i = 0; i <= N; ++i)
-    {
-        s.points[i].segment = min(i, N - 1);
-        s.points[i].at = i == N ? 1 : 0;
-    }
-    s.drag[0] *= 0.5;
-    s.drag[N] *= 0.5;
-    return s;
-}
-
-//- n steps under a uniform force per length; sees(filament, time) after each
-template<class See>
-void run(filament& x, const scalar dt, const label n, const vector& force,
-         See sees, const scalar drag = 0)
-{
-    const label size = x.places().size();
-    const vectorField f(size, force), U(size, Zero);
-    const auto all(around(x, f, scalarField(size, drag), U));
-    for (label i = 1; i <= n; ++i)
-    {
-        ASSERT_TRUE(x.step(dt, all)) << "step " << i;
-        sees(x, i * dt);
-    }
-}
-
-//- Bessel function of the first kind of order 0
-scalar J0(const scalar z)
-{
-    scalar sum = 0, term = 1;
-    for (int k = 1; k < 40; ++k)
-    {
-        sum += term;
-        term *= -0.25 * z * z / (k * k);
-    }
-    return sum;
-}
-} // namespace
+using namespace test;
 
 // Hanging chain in its first mode, g = 10: largest relative error to t = 4
 TEST(Filament, pendulumOfModeOne)
@@ -130,38 +72,6 @@ TEST(Filament, nonlinearSwing)
         });
     test::expectBelow("tip against the reference", largest / 0.309, 0.01);
     test::expectBelow("length of the segments, relative", length, 1e-10);
-}
-
-// Swing of the tip (root of its mean square) in the last two of 20 periods over
-// that in the first two, released straight at 0.05 pi. Higher modes beat in it,
-// so that it may exceed 1; what the step takes is seen beside a smaller one
-TEST(Filament, keepsItsAmplitude)
-{
-    const scalar angle = 0.05 * constant::mathematical::pi;
-    const scalar period = 1.62;
-    const auto kept = [&](const filament::schemeType scheme, const scalar dt)
-    {
-        auto p = make(32, 0.01, filament::HINGED, filament::FREE);
-        p.scheme = scheme;
-        filament x(p, Zero, vector(-std::cos(angle), std::sin(angle), 0));
-        scalar early = 0, late = 0;
-        run(x, dt, label(20 * period / dt), vector(-10, 0, 0),
-            [&](const filament& f, const scalar t)
-            {
-                const scalar y2 = sqr(f.places()[32].y());
-                if (t < 2 * period) early += y2;
-                if (t > 18 * period) late += y2;
-            });
-        return std::sqrt(late / early);
-    };
-    const scalar right = kept(filament::IMPLICIT, 5e-4);
-    const scalar implicit = kept(filament::IMPLICIT, 2e-3);
-    std::printf(
-        "    kept at dt = 2e-3: %.4f, twoStep %.4f, twoStepCentred %.4f\n",
-        implicit, kept(filament::TWO_STEP, 2e-3),
-        kept(filament::TWO_STEP_CENTRED, 2e-3));
-    test::expectBelow("lost to the step", 1 - implicit / right, 0.04);
-    EXPECT_GE(implicit, 0.96);
 }
 
 // Frequencies of small vibrations, f = (beta L)^2/(2 pi) sqrt(B/(m L^4)), from
@@ -359,39 +269,6 @@ TEST(Filament, stableAtLargeSteps)
     }
 }
 
-// Run by tests/bench/filament: the largest of 0.1, 0.05, 0.025 ... sqrt(L/g) at
-// which 30 of these from straight and horizontal end without damage
-TEST(Filament, DISABLED_largestSteps)
-{
-    const char* names[3] = {"implicit", "twoStep", "twoStepCentred"};
-    for (int k = 0; k < 3; ++k)
-    {
-        std::printf("    %-15s", names[k]);
-        for (const scalar rigidity : {0.0, 0.01, 1.0, 100.0, 1e4})
-        {
-            auto p = make(32, rigidity, filament::HINGED, filament::FREE);
-            p.scheme = filament::schemeType(k);
-            const vectorField f(33, vector(-1, 0, 0)), U(33, Zero);
-            scalar dt = 0.2;
-            bool good = false;
-            while (!good && dt > 1e-4)
-            {
-                dt /= 2;
-                filament x(p, Zero, vector(0, 1, 0));
-                const auto all(around(x, f, scalarField(33, Zero), U));
-                good = true;
-                for (label n = 0; good && n < label(30 / dt); ++n)
-                {
-                    good = x.step(dt, all) && x.lengthError() < 0.01 &&
-                           x.kineticEnergy() < 0.6;
-                }
-            }
-            std::printf("  B* = %g: %.1e", rigidity, good ? dt : 0.0);
-        }
-        std::printf("\n");
-    }
-}
-
 // Steps that Newton's method cannot take are halved, and go through
 TEST(Filament, halvesItsSteps)
 {
@@ -427,186 +304,6 @@ TEST(Filament, DISABLED_cost)
         std::printf("    N = %d: %.1f us, %d iterations\n", int(N), us,
                     int(x.iterations()));
         if (N == 32) test::expectBelow("N = 32, microseconds", us, 30);
-    }
-}
-
-namespace
-{
-//- What all three schemes can run: without drag
-struct schemeScene
-{
-    const char* name;
-    filament::properties p;
-    vectorField nodes;
-    vectorField force; // per length
-    bool ramp;         // is it applied bit by bit?
-
-    vector clamp;
-    scalar scale;   // of the motion of the tip
-    scalar end, dt; // largest step
-};
-
-//- Straight release, chain in its first mode, beam that is loaded at its tip in
-//  half a cosine, vibration of a beam
-std::vector<schemeScene> schemeScenes()
-{
-    const label N = 32;
-    std::vector<schemeScene> all;
-    const auto add = [&](const char* name, const scalar rigidity,
-                         const filament::endType first, const scalar end,
-                         const scalar dt) -> schemeScene&
-    {
-        all.push_back({name, make(N, rigidity, first, filament::FREE),
-                       vectorField(N + 1, Zero), vectorField(N + 1, Zero),
-                       false, vector(1, 0, 0), 1, end, dt});
-        return all.back();
-    };
-    // Segments with this rise dy of each, along x
-    const auto curve = [&](schemeScene& s, const auto& y, const scalar along)
-    {
-        for (label i = 1; i <= N; ++i)
-        {
-            const scalar dy = y(i) - y(i - 1);
-            s.nodes[i] =
-                s.nodes[i - 1] +
-                vector(along * std::sqrt(sqr(s.p.ds()) - sqr(dy)), dy, 0);
-        }
-    };
-    {
-        schemeScene& s = add("swing", 0.01, filament::HINGED, 2, 2.5e-3);
-        const scalar a = 0.1 * constant::mathematical::pi;
-        curve(
-            s, [&](const label i) { return i * std::sin(a) / N; }, -1);
-        s.force = vector(-10, 0, 0);
-    }
-    {
-        schemeScene& s = add("chain", 0, filament::HINGED, 2, 2.5e-3);
-        s.scale = 1e-3;
-        curve(
-            s,
-            [&](const label i) {
-                return s.scale * J0(2.404825558 * std::sqrt(1 - scalar(i) / N));
-            },
-            -1);
-        s.force = vector(-10, 0, 0);
-    }
-    {
-        schemeScene& s = add("load", 1, filament::CLAMPED, 2, 2.5e-2);
-        curve(
-            s, [](label) { return 0; }, 1);
-        s.ramp = true;
-        s.force[N] = vector(0, -2, 0) / (0.5 * s.p.ds());
-    }
-    {
-        schemeScene& s = add("beam", 1, filament::CLAMPED, 2, 5e-2);
-        s.scale = 1e-3;
-        const scalar b = 1.875104;
-        const scalar ratio =
-            (std::cosh(b) + std::cos(b)) / (std::sinh(b) + std::sin(b));
-        curve(
-            s,
-            [&](const label i)
-            {
-                const scalar z = b * i / N;
-                return 0.5 * s.scale *
-                       (std::cosh(z) - std::cos(z) -
-                        ratio * (std::sinh(z) - std::sin(z)));
-            },
-            1);
-    }
-    return all;
-}
-
-struct schemeRun
-{
-    std::vector<vector> tip;
-    scalar length = 0, us = 0;
-};
-
-schemeRun runScheme(const schemeScene& s, const filament::schemeType scheme,
-                    const scalar dt)
-{
-    filament::properties p(s.p);
-    p.scheme = scheme;
-    filament x(p, s.nodes);
-    x.clamp(0, s.clamp);
-    const label N = p.segments, every = label(s.end / 40 / dt + 0.5);
-    auto all(
-        around(x, s.force, scalarField(N + 1, Zero), vectorField(N + 1, Zero)));
-    schemeRun r;
-    const auto start = std::chrono::steady_clock::now();
-    for (label step = 1; step <= 40 * every; ++step)
-    {
-        // The centred scheme wants it in the middle of its places
-        const scalar t =
-            dt * (scheme == filament::TWO_STEP_CENTRED ? step - 1 : step);
-        if (s.ramp)
-        {
-            all.force = 0.5 *
-                        (1 - std::cos(constant::mathematical::pi * t / s.end)) *
-                        s.force;
-        }
-        if (!x.step(dt, all)) break;
-        r.length = max(r.length, x.lengthError());
-        if (step % every == 0) r.tip.push_back(x.places()[N]);
-    }
-    const std::chrono::duration<double> d(std::chrono::steady_clock::now() -
-                                          start);
-    r.us = 1e6 * d.count() / (40 * every);
-    return r;
-}
-} // namespace
-
-// The three schemes: largest error of the tip at 40 times against a small step of
-// the implicit one, the error of the lengths, and what they take. Two of second
-// order, the thesis' of first
-TEST(Filament, schemes)
-{
-    const char* names[3] = {"implicit", "twoStep", "twoStepCentred"};
-    for (const schemeScene& s : schemeScenes())
-    {
-        const schemeRun right(runScheme(s, filament::IMPLICIT, s.dt / 128));
-        ASSERT_EQ(right.tip.size(), 40u);
-        scalar needed[3] = {0, 0, 0};
-        for (int k = 0; k < 3; ++k)
-        {
-            scalar before = 0, order = 0;
-            for (scalar dt = s.dt; dt > 0.9 * s.dt / 8; dt /= 2)
-            {
-                const schemeRun r(runScheme(s, filament::schemeType(k), dt));
-                scalar error = 0;
-                forAll(r.tip, i)
-                {
-                    error = max(error, mag(r.tip[i] - right.tip[i]) / s.scale);
-                }
-                const bool broke =
-                    r.tip.size() < right.tip.size() || !(error < 1);
-                const scalar ms = 1e-3 * r.us * s.end / dt;
-                std::printf("    scheme %-6s %-15s dt %.1e tip %.1e lengths "
-                            "%.1e us %.1f ms %.2f\n",
-                            s.name, names[k], dt, broke ? NAN : error, r.length,
-                            r.us, ms);
-                if (broke)
-                {
-                    before = 0;
-                    continue;
-                }
-                if (before > 0) order = std::log2(before / error);
-                before = error;
-
-                // Time for an error of 1e-3, along the line to the last one
-                const scalar slope = k == filament::TWO_STEP ? 1 : 0.5;
-                needed[k] = ms * std::pow(error / 1e-3, slope);
-            }
-            std::printf(
-                "    %s, %s: order %.2f, %.2f ms for an error of 1e-3\n",
-                s.name, names[k], order, needed[k]);
-            EXPECT_GE(order, k == filament::TWO_STEP ? 0.8 : 1.7);
-        }
-        // (quasi-static, the load leaves little to gain)
-        test::expectBelow(std::string(s.name) +
-                              ": time for 1e-3, implicit over twoStep",
-                          needed[0] / needed[1], s.ramp ? 0.2 : 0.1);
     }
 }
 
@@ -650,53 +347,6 @@ TEST(Filament, exchangesMomentum)
                               ": sum of all forces over that of the drag",
                           worst, 1e-11);
     }
-}
-
-// Steps of varying size: still of second order
-TEST(Filament, variableSteps)
-{
-    const schemeScene s(schemeScenes()[1]);
-    const auto tip = [&](const scalar dt, const scalar wobble)
-    {
-        filament x(s.p, s.nodes);
-        const label N = s.p.segments;
-        const auto all(around(x, s.force, scalarField(N + 1, Zero),
-                              vectorField(N + 1, Zero)));
-        for (label n = 0; n < label(1 / dt + 0.5); ++n)
-        {
-            EXPECT_TRUE(x.step(dt * (1 + (n % 2 ? -1 : 1) * wobble), all));
-        }
-        return x.places()[N];
-    };
-    const vector right(tip(1.25e-4, 0));
-    const scalar coarse = mag(tip(4e-3, 0.5) - right),
-                 fine = mag(tip(2e-3, 0.5) - right);
-    std::printf("    steps that vary by 3: errors %.1e, %.1e\n", coarse, fine);
-    test::expectBelow("order, off 2", mag(std::log2(coarse / fine) - 2), 0.2);
-}
-
-// A base that accelerates is as good as gravity
-TEST(Filament, baseMotion)
-{
-    const schemeScene s(schemeScenes()[0]);
-    const label N = s.p.segments;
-    filament hanging(s.p, s.nodes), pulled(s.p, s.nodes);
-    const vectorField none(N + 1, Zero);
-    const auto heavy(around(hanging, s.force, scalarField(N + 1, Zero), none));
-    const auto light(around(pulled, none, scalarField(N + 1, Zero), none));
-    const scalar dt = 1e-3;
-    scalar worst = 0;
-    for (label n = 1; n <= 500; ++n)
-    {
-        const vector base(-0.5 * sqr(n * dt) * s.force[0]);
-        pulled.moveEnd(0, base);
-        ASSERT_TRUE(hanging.step(dt, heavy) && pulled.step(dt, light));
-        EXPECT_LT(mag(pulled.places()[0] - base), 1e-14);
-        worst =
-            max(worst, mag(pulled.places()[N] - base - hanging.places()[N]));
-    }
-    test::expectBelow("tip against the same under gravity [lengths]", worst,
-                      5e-3);
 }
 
 // Elastica of a cantilever under a load at its tip, P L^2/B = 1, 2, 5, 10, and

@@ -51,21 +51,6 @@ Foam::vector Foam::filament::bend(const vectorField& X, const label k) const
     return X[k - 1] - 2 * X[k] + X[k + 1];
 }
 
-template<class Visit>
-void Foam::filament::bends(Visit visit) const
-{
-    const label N = all_.segments;
-    for (label k = 0; k <= N; ++k)
-    {
-        const scalar w = bendWeight(k);
-        if (w == 0) continue;
-        const bool end = k == 0 || k == N;
-        const label at[3] = {k == 0 ? 1 : k - 1, k, k == N ? N - 1 : k + 1};
-        const scalar factor[3] = {end ? 2.0 : 1.0, -2.0, end ? 0.0 : 1.0};
-        visit(w, k, at, factor);
-    }
-}
-
 Foam::vector Foam::filament::heldPlace(const label i, const scalar dt) const
 {
     return X_[i] +
@@ -131,7 +116,7 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
         if (fresh) A.clear(n);
         forAll(X, i)
         {
-            const scalar w = weight(i) * ds;
+            const scalar w = all_.lengthOf(i);
             V[i] = c0 * X[i] + c1 * X_[i] + c2 * XBefore_[i];
             const vector acceleration(c0 * V[i] + c1 * V_[i] +
                                       c2 * VBefore_[i]);
@@ -234,7 +219,6 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
 
         // The lengths' error left is the square of the last change with a matrix
         // of its own, else that change times the rate of convergence
-
         const scalar left =
             fresh ? sqr(largest / ds)
                   : largest / ds * min(largest / before, scalar(1));
@@ -250,7 +234,6 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
             }
             T_ = T;
             lastDeltaT_ = dt;
-
             timeLeft_ -= dt;
             return true;
         }
@@ -258,148 +241,6 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
         before = largest;
     }
     return false;
-}
-
-bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
-{
-    const label N = all_.segments;
-    const scalar ds = all_.ds(), stiffness = all_.rigidity / pow3(ds);
-    const bool centred = all_.scheme == TWO_STEP_CENTRED;
-
-    // (X^{n+1} - X*)/toSquare is the acceleration for any ratio of steps, and at
-    // the first, which starts from places and velocities
-    const scalar last = lastDeltaT_ > 0 ? lastDeltaT_ : dt;
-    const scalar toSquare = 0.5 * dt * (dt + lastDeltaT_);
-    const vectorField old(lastDeltaT_ > 0 ? XBefore_
-                                          : vectorField(X_ - dt * V_));
-    const vectorField ahead(X_ + dt / last * (X_ - old));
-    const vectorField& shape = centred ? X_ : ahead;
-
-    vectorField force(N + 1);
-    forAll(force, i)
-    {
-        force[i] = weight(i) * ds * f[i];
-    }
-    vectorField loaded(force);
-    bends(
-        [&](const scalar w, const label k, const label* at,
-            const scalar* factor)
-        {
-            const vector b(w * stiffness * bend(shape, k));
-            for (int a = 0; a < 3; ++a)
-            {
-                loaded[at[a]] -= factor[a] * b;
-            }
-        });
-
-    // Tension that keeps the lengths: t.(a_{i+1} - a_i)/ds as below
-    bandedMatrix<1> tension;
-    tension.clear(N);
-    std::vector<double> T(N);
-    scalarField inverse(N + 1);
-    forAll(inverse, i)
-    {
-        inverse[i] = held(i) ? 0 : 1 / (weight(i) * ds * all_.mass);
-    }
-    const auto along = [&](const vectorField& X, const label i)
-    { return vector((X[i + 1] - X[i]) / ds); };
-    for (label i = 0; i < N; ++i)
-    {
-        const vector t(along(shape, i));
-        tension(i, i) = -(inverse[i] + inverse[i + 1]) / ds * magSqr(t);
-        if (i > 0)
-        {
-            tension(i, i - 1) = inverse[i] / ds * (t & along(shape, i - 1));
-        }
-        if (i + 1 < N)
-        {
-            tension(i, i + 1) = inverse[i + 1] / ds * (t & along(shape, i + 1));
-        }
-        const vector rate((along(X_, i) - along(old, i)) / last);
-        T[i] = (0.5 - magSqr(along(X_, i)) + 0.5 * magSqr(along(old, i))) /
-                   toSquare -
-               magSqr(rate) -
-               (t & (inverse[i + 1] * loaded[i + 1] - inverse[i] * loaded[i])) /
-                   ds;
-    }
-    if (!tension.factor()) return false;
-    tension.solve(T);
-
-    // Places: tension and bending at n+1, or on the mean of n+1 and n-1
-    const scalar part = centred ? 0.5 : 1;
-    bandedMatrix<2> A;
-    A.clear(N + 1);
-    std::vector<double> X(3 * (N + 1));
-    vectorField b(force);
-    const auto add = [&](const label i, const label j, const scalar value)
-    {
-        A(i, j) += part * value;
-        if (centred) b[i] -= 0.5 * value * old[j];
-    };
-    forAll(b, i)
-    {
-        const scalar inertia = weight(i) * ds * all_.mass / toSquare;
-        A(i, i) += inertia;
-        b[i] += inertia * ahead[i];
-    }
-    for (label i = 0; i < N; ++i)
-    {
-        const scalar k = T[i] / ds;
-        add(i, i, k);
-        add(i + 1, i + 1, k);
-        add(i, i + 1, -k);
-        add(i + 1, i, -k);
-    }
-    bends(
-        [&](const scalar w, const label k, const label* at,
-            const scalar* factor)
-        {
-            // What a clamp adds to the difference of places
-            const vector given(bend(vectorField(N + 1, Zero), k));
-            for (int a = 0; a < 3; ++a)
-            {
-                b[at[a]] -= w * stiffness * factor[a] * given;
-                for (int c = 0; c < 3; ++c)
-                {
-                    if (factor[a] * factor[c] != 0)
-                    {
-                        add(at[a], at[c],
-                            w * stiffness * factor[a] * factor[c]);
-                    }
-                }
-            }
-        });
-    forAll(b, i)
-    {
-        if (held(i))
-        {
-            for (label j = max(i - 2, label(0)); j <= min(i + 2, N); ++j)
-            {
-                A(i, j) = 0;
-            }
-            A(i, i) = 1;
-            b[i] = heldPlace(i, dt);
-        }
-        for (direction d = 0; d < 3; ++d)
-        {
-            X[3 * i + d] = b[i][d];
-        }
-    }
-    if (!A.factor()) return false;
-    A.solve<3>(X);
-
-    XBefore_ = X_;
-    VBefore_ = V_;
-    forAll(X_, i)
-    {
-        X_[i] = vector(X[3 * i], X[3 * i + 1], X[3 * i + 2]);
-    }
-    V_ = (X_ - XBefore_) / dt;
-    meanV_ = dt * V_;
-    std::copy(T.begin(), T.end(), T_.begin());
-    lastDeltaT_ = dt;
-    iterations_ = 1;
-    return lengthError() < 0.5;
 }
 
 // Two steps of half the size, and so on
@@ -422,24 +263,23 @@ bool Foam::filament::step(const scalar dt, const surroundings& s)
     iterations_ = 0;
     timeLeft_ = dt;
     meanV_ = Zero;
-    if (all_.scheme == IMPLICIT && tryStep(dt, s))
+    if (all_.scheme != IMPLICIT || !tryStep(dt, s))
     {
-        meanV_ /= dt;
-        return true;
+        const filament before(*this);
+        if (!(all_.scheme == IMPLICIT ? halves(dt, s, 6)
+                                      : twoStep(dt, s.force)))
+        {
+            X_ = before.X_;
+            V_ = before.V_;
+            XBefore_ = before.XBefore_;
+            VBefore_ = before.VBefore_;
+            T_ = before.T_;
+            lastDeltaT_ = before.lastDeltaT_;
+            return false;
+        }
     }
-    const filament before(*this);
-    if (all_.scheme == IMPLICIT ? halves(dt, s, 6) : twoStep(dt, s.force))
-    {
-        meanV_ /= dt;
-        return true;
-    }
-    X_ = before.X_;
-    V_ = before.V_;
-    XBefore_ = before.XBefore_;
-    VBefore_ = before.VBefore_;
-    T_ = before.T_;
-    lastDeltaT_ = before.lastDeltaT_;
-    return false;
+    meanV_ /= dt;
+    return true;
 }
 
 Foam::scalar Foam::filament::lengthError() const
@@ -457,7 +297,7 @@ Foam::scalar Foam::filament::kineticEnergy() const
     scalar sum = 0;
     forAll(V_, i)
     {
-        sum += 0.5 * weight(i) * all_.ds() * all_.mass * magSqr(V_[i]);
+        sum += 0.5 * all_.lengthOf(i) * all_.mass * magSqr(V_[i]);
     }
     return sum;
 }
@@ -473,18 +313,35 @@ Foam::scalar Foam::filament::bendingEnergy() const
     return 0.5 * all_.rigidity / pow3(all_.ds()) * sum;
 }
 
+void Foam::filament::save(const vectorField& v, DynamicList<scalar>& state)
+{
+    for (const vector& x : v)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            state.append(x[d]);
+        }
+    }
+}
+
+const Foam::scalar* Foam::filament::restore(const scalar* state, vectorField& v)
+{
+    for (vector& x : v)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            x[d] = *state++;
+        }
+    }
+    return state;
+}
+
 void Foam::filament::save(DynamicList<scalar>& state) const
 {
     state.append(lastDeltaT_);
     for (const vectorField* v : {&X_, &V_, &XBefore_, &VBefore_})
     {
-        for (const vector& x : *v)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                state.append(x[d]);
-            }
-        }
+        save(*v, state);
     }
     state.append(T_);
     state.append(scalar(iterations_));
@@ -495,13 +352,7 @@ void Foam::filament::restore(const scalar* state)
     lastDeltaT_ = *state++;
     for (vectorField* v : {&X_, &V_, &XBefore_, &VBefore_})
     {
-        for (vector& x : *v)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                x[d] = *state++;
-            }
-        }
+        state = restore(state, *v);
     }
     forAll(T_, i)
     {

@@ -66,20 +66,19 @@ void Foam::filaments::observe(const vector* U)
 // what diffusion leaves of it
 Foam::scalar Foam::filaments::directForcing(const bodyStep& s) const
 {
-    const scalar h = std::cbrt(scene_.grid.cellVolume());
     const scalar squares = scene_.kernel.sumOfSquares();
 
     // Points far apart move less than a line does
-    const scalar length = min(properties_.length / points_.size(), h / squares);
-    return scene_.rho * length * sqr(h / squares) / (s.kept * s.dt);
+    const scalar length =
+        min(properties_.length / points_.size(), h_ / squares);
+    return scene_.rho * length * sqr(h_ / squares) / (s.kept * s.dt);
 }
 
-bool Foam::filaments::moveOne(fibre& x, const vector* U, const bodyStep& s)
+bool Foam::filaments::moveOne(fibre& x, const vector* U, const bodyStep& s,
+                              filament::surroundings& around)
 {
     const label n = points_.size();
-    filament::surroundings around{
-        vectorField(properties_.segments + 1, weight_), points_, scalarField(n),
-        vectorField(n)};
+    around.force = weight_;
     for (const filamentLoad& load : loads_)
     {
         load.add(x.line.ahead(s.dt), properties_.ds(), s.time, around.force);
@@ -100,26 +99,21 @@ bool Foam::filaments::moveOne(fibre& x, const vector* U, const bodyStep& s)
             // The velocity at the start of the step stands for that at its end;
             // half of its last change damps what this delay excites. The force
             // of the last step stays on
-            around.drag[k] = directForcing(s);
             if (!s.predicted) around.U[k] += 0.5 * change;
             around.U[k] -= x.forces[k] / around.drag[k];
         }
         else
         {
             // The fluid in its place would accelerate like this
-            around.drag[k] = drag_ * properties_.length / n;
             const vector inertia(displaced_ * properties_.length / n / x.dt *
                                  change);
             const label i = points_[k].segment;
-            around.force[i] += (1 - points_[k].at) / lengthOf(i) * inertia;
-            around.force[i + 1] += points_[k].at / lengthOf(i + 1) * inertia;
+            const scalar at = points_[k].at;
+            around.force[i] += (1 - at) / properties_.lengthOf(i) * inertia;
+            around.force[i + 1] += at / properties_.lengthOf(i + 1) * inertia;
         }
     }
-    if (couple_)
-    {
-        around.couple = couple_->K();
-        around.shear = couple_->shear(x.ahead, U + n);
-    }
+    if (couple_) around.shear = couple_->shear(x.ahead, U + n);
 
     if (!x.line.step(s.dt, around)) return false;
     x.dt = s.dt;
@@ -139,10 +133,18 @@ bool Foam::filaments::moveOne(fibre& x, const vector* U, const bodyStep& s)
 Foam::string Foam::filaments::move(const vector* U, const bodyStep& s)
 {
     const auto timing(scene_.effects.time("filament"));
+    const label n = points_.size();
+    const scalar drag =
+        twoWay() ? directForcing(s) : drag_ * properties_.length / max(n, 1);
+    filament::surroundings around{vectorField(properties_.segments + 1),
+                                  points_, scalarField(n, drag),
+                                  vectorField(n)};
+    if (couple_) around.couple = couple_->K();
+
     string trouble;
     for (label i = 0; i < label(filaments_.size()); ++i)
     {
-        if (!moveOne(filaments_[i], U, s))
+        if (!moveOne(filaments_[i], U, s, around))
         {
             trouble = "body " + Foam::name(mine()[i]) + " of group " + name() +
                       ": no tension holds its length, even in a 64th of the "
@@ -166,17 +168,8 @@ Foam::scalarList Foam::filaments::state(const label i) const
     x.line.save(s);
     s.append(x.slip);
     s.append(x.dt);
-
-    for (const vectorField* v : {&x.U, &x.forces})
-    {
-        for (const vector& y : *v)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                s.append(y[d]);
-            }
-        }
-    }
+    filament::save(x.U, s);
+    filament::save(x.forces, s);
     return scalarList(std::move(s));
 }
 
@@ -186,7 +179,6 @@ void Foam::filaments::setState(const label i, const scalarList& state,
     fibre& x = filaments_[i];
     const label own = x.line.stateSize();
     const label all = own + 2 + 3 * (x.U.size() + x.forces.size());
-
     if (state.size() != all)
     {
         FatalIOErrorInFunction(source)
@@ -198,26 +190,15 @@ void Foam::filaments::setState(const label i, const scalarList& state,
     }
     x.line.restore(state.cdata());
     if (properties_.scheme == filament::IMPLICIT && x.line.lengthError() > 1e-6)
-
     {
         FatalIOErrorInFunction(source)
             << "the saved state of body " << mine()[i]
             << " has segments of another length: was the entry length changed?"
             << exit(FatalIOError);
     }
-
     const scalar* at = state.cdata() + own;
     x.slip = *at++;
     x.dt = *at++;
-
-    for (vectorField* v : {&x.U, &x.forces})
-    {
-        for (vector& y : *v)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                y[d] = *at++;
-            }
-        }
-    }
+    at = filament::restore(at, x.U);
+    filament::restore(at, x.forces);
 }

@@ -38,14 +38,14 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
     const scalar diameter = readPositive(dict, "diameter", dimLength);
 
     // The fluid tells nothing apart within a cell
-    const scalar h = std::cbrt(scene.grid.cellVolume());
+    h_ = std::cbrt(scene.grid.cellVolume());
     properties_.segments = byAccuracy<label>(dict, "segments", 16, 32, 64);
     if (twoWay() && !dict.found("segments"))
     {
-        properties_.segments = max(
-            label(3), min(properties_.segments, label(properties_.length / h)));
+        properties_.segments =
+            max(label(3),
+                min(properties_.segments, label(properties_.length / h_)));
     }
-
     if (properties_.segments < 3 || properties_.segments > 10000)
     {
         refuse(dict, "segments", Foam::name(properties_.segments),
@@ -101,7 +101,7 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
     {
         refuse(dict, "scheme", scheme, "implicit, or coupling none");
     }
-    thickness_ = twoWay() ? 2 * scene.kernel.lineRadius() * h : diameter;
+    thickness_ = twoWay() ? 2 * scene.kernel.lineRadius() * h_ : diameter;
     readCouplingEntries(dict);
 
     const pointField positions(readPositions(dict));
@@ -111,14 +111,13 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
         refuse(dict, "directions", Foam::name(directions.size()) + " vectors",
                "as many as positions, " + Foam::name(positions.size()));
     }
-    // Straight and held at both ends, it could not move and any tension would do
+
     const vector bow(dict.getOrDefault<vector>("bow", Zero));
     if (mag(bow) > 0.3 * properties_.length)
     {
         refuse(dict, "bow", Foam::name(mag(bow)) + " m",
                "up to 0.3 of the length");
     }
-
     filaments_.reserve(mine().size());
     forAll(positions, body)
     {
@@ -126,6 +125,7 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
         {
             refuse(dict, "directions", "(0 0 0)", "directions");
         }
+        // Held and straight, any tension would do
         if (properties_.ends[0] != filament::FREE &&
             properties_.ends[1] != filament::FREE &&
             !(mag(bow ^ directions[body]) >
@@ -144,7 +144,6 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
         x.clamp(1, directions[body]);
         checkFits(dict, x, body);
         if (body % Pstream::nProcs() != Pstream::myProcNo()) continue;
-
         filaments_.push_back({x, vectorField(points_.size(), Zero), x.places(),
                               vectorField(markersEach()),
                               vectorField(twoWay() ? markersEach() : 0, Zero),
@@ -183,9 +182,8 @@ void Foam::filaments::readCouplingEntries(const dictionary& dict)
     if (alone()) return;
 
     const scalar pi = constant::mathematical::pi, L = properties_.length;
-    const scalar h = std::cbrt(scene_.grid.cellVolume());
     const scalar slender = std::log(2 * L / thickness_);
-    if (twoWay() ? L < 3 * h : slender < 1.807)
+    if (twoWay() ? L < 3 * h_ : slender < 1.807)
     {
         refuse(dict, twoWay() ? "length" : "diameter",
                Foam::name(twoWay() ? L : thickness_),
@@ -194,7 +192,7 @@ void Foam::filaments::readCouplingEntries(const dictionary& dict)
                               " at this length, for the drag of a slender "
                               "body");
     }
-    const scalar inset = twoWay() ? scene_.kernel.endInset() * h : 0;
+    const scalar inset = twoWay() ? scene_.kernel.endInset() * h_ : 0;
     const bool limp = properties_.rigidity == 0 && properties_.mass == 0;
     if (twoWay() && limp)
     {
@@ -205,7 +203,7 @@ void Foam::filaments::readCouplingEntries(const dictionary& dict)
     else if (twoWay())
     {
         // Closer than a cell the fluid cannot tell points from each other
-        makePoints(label((L - 2 * inset) / h + 0.5) + 1, inset);
+        makePoints(label((L - 2 * inset) / h_ + 0.5) + 1, inset);
     }
     else
     {
@@ -221,14 +219,15 @@ void Foam::filaments::readCouplingEntries(const dictionary& dict)
         const scalar r = L / thickness_, re = 1.24 * r / std::sqrt(std::log(r));
         couple_.reset(new thicknessCouple(
             properties_.segments, properties_.ds(),
-            twoWay() ? thicknessCouple::resolved(scene_.kernel, scene_.mu, h)
+            twoWay() ? thicknessCouple::resolved(scene_.kernel, scene_.mu, h_)
                      : drag_ * sqr(L / re) / 12,
-            inset, 1.5 * h));
+            inset, 1.5 * h_));
     }
     scene_.effects.declare("thicknessCouple", on,
                            Foam::name(L / thickness_) + " diameters of " +
-                               (twoWay() ? Foam::name(thickness_ / h) + " cells"
-                                         : Foam::name(thickness_) + " m") +
+                               (twoWay()
+                                    ? Foam::name(thickness_ / h_) + " cells"
+                                    : Foam::name(thickness_) + " m") +
                                " long");
 }
 

@@ -318,14 +318,15 @@ void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
         }
     }
     if (explicit_ != before) hasLast_ = false;
-    const bool ADI = !transforms_;
+    const bool byTransforms = transforms_;
     transforms_ = mayTransform_ && (diffusion_ == "FFT" || number > 1);
-    if (transforms_ == ADI) responseTo_ = -1;
+    const bool other = transforms_ != byTransforms;
+    if (other) responseTo_ = -1;
     if (!explicit_ && !implicit_[transforms_])
     {
         implicit_[transforms_].reset(new implicitDiffusion(grid_, transforms_));
     }
-    if (explicit_ != before || (!explicit_ && transforms_ == ADI) || !chosen_)
+    if (explicit_ != before || (!explicit_ && other) || !chosen_)
     {
         chosen_ = true;
         Info << "Diffusion: "

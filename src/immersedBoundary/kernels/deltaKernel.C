@@ -23,14 +23,14 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
     const scalar position = periodic ? x - offset
                                      : min(max(x - offset, first - scalar(0.5)),
                                            last + scalar(0.5));
-    label lowest, nPoints;
+    const label nPoints = this->nPoints();
+    label lowest;
     FixedList<scalar, 4>& weight = s.weight;
     if (type_ == Roma3)
     {
         // The weights beside the middle one follow from unit sum and zero
         // first moment
         lowest = label(std::floor(position + 0.5)) - 1;
-        nPoints = 3;
         const scalar r = position - (lowest + 1);
         weight[1] = phi(r);
         weight[0] = 0.5 * (1 - weight[1] - r);
@@ -39,7 +39,6 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
     else
     {
         lowest = label(std::ceil(position - reach()));
-        nPoints = 4;
         for (label k = 0; k < nPoints; ++k)
         {
             weight[k] = phi(position - (lowest + k));
