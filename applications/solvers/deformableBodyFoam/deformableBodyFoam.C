@@ -35,6 +35,7 @@ Usage
 #include "fvOptions.H"
 #include "bodyCollection.H"
 #include "dictionaryChecks.H"
+#include "flowAlgorithm.H"
 #include "flowSources.H"
 #include "fieldsWanted.H"
 #include "runProgress.H"

@@ -15,8 +15,6 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh)
                            "uniform", mesh, IOobject::NO_READ,
                            IOobject::AUTO_WRITE)),
       mesh_(mesh),
-      startTime_(mesh.time().value()),
-      startIndex_(mesh.time().timeIndex()),
       grid_(uniformGrid::New(mesh)),
       effects_(mesh.time())
 {
@@ -37,7 +35,8 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh)
             << exit(FatalIOError);
     }
     read(dict);
-    readState();
+    readState(dict);
+    writer_.reset(new bodyWriter(mesh.time(), groups_, effects_));
 }
 
 Foam::bodyCollection& Foam::bodyCollection::New(const fvMesh& mesh)
@@ -55,7 +54,7 @@ Foam::bodyCollection& Foam::bodyCollection::New(const fvMesh& mesh)
 Foam::bodyCollection::~bodyCollection()
 {
     // Nothing was simulated in post-processing
-    if (lastAdvanced_ >= 0) effects_.printCost();
+    if (lastMoved_ >= 0) effects_.printCost();
 }
 
 void Foam::bodyCollection::read(const IOdictionary& dict)
@@ -88,17 +87,19 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     rho_ = readPositive(transport, "rho", dimDensity);
     nu_ = readPositive(transport, "nu", dimViscosity);
 
-    boundary_.reset(new immersedBoundary(grid_, deltaKernel(dict)));
+    neighbours_.reset(new blockNeighbours(grid_));
+    ownership_.reset(new bodyOwnership(*neighbours_));
+    markers_.reset(new markerSet(grid_, deltaKernel(dict), *neighbours_));
 
     const Time& time = mesh_.time();
     const bool adjusted =
         time.controlDict().getOrDefault<bool>("adjustTimeStep", false);
     const bodyScene scene{
-        grid_,         boundary_->kernel(),
+        grid_,         markers_->kernel(),
         rho_,          rho_ * nu_,
         readGravity(), adjusted ? GREAT : time.deltaTValue(),
-        accuracy,      bodyGroup::readCoupling(dict, "twoWay"),
-        effects_};
+        accuracy,      readCoupling(dict, bodyCoupling::twoWay),
+        forces_,       effects_};
     bool feedback = false, inFluid = false;
     const dictionary& bodies = dict.subDict("bodies");
     for (const word& name : bodies.toc())
@@ -110,16 +111,27 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
 
     alone_ = !empty() && !inFluid;
     effects_.declare("interpolation", inFluid,
-                     inFluid ? deltaKernel::names[boundary_->kernel().type()] +
+                     inFluid ? deltaKernel::names[markers_->kernel().type()] +
                                    " kernel at face centres"
                              : word("coupling none"));
     effects_.declare("spreading", feedback,
                      feedback ? "loads act on the fluid"
                               : "coupling oneWay or none");
-    scalarList ratios(groups_.size());
+    readViscosityRatios(transport);
+    effects_.declare("interactions", false, "none given");
+    readLoads(dict.subOrEmptyDict("loads"));
+}
+
+void Foam::bodyCollection::readViscosityRatios(const dictionary& transport)
+{
+    // A fluid that does not feel the bodies has its own viscosity everywhere
+    scalarList ratios(groups_.size(), scalar(1));
+    bool unfelt = false;
     forAll(groups_, g)
     {
-        ratios[g] = groups_[g].viscosityRatio();
+        const scalar ratio = groups_[g].viscosityRatio();
+        if (groups_[g].twoWay()) ratios[g] = ratio;
+        else unfelt = unfelt || ratio != 1;
     }
     if (ratios != scalarList(groups_.size(), scalar(1)))
     {
@@ -134,33 +146,39 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     effects_.declare("viscosityRatio", bool(contrast_),
                      contrast_ ? "up to " + Foam::name(max(ratios)) +
                                      ", down to " + Foam::name(min(ratios))
-                               : string("same fluid inside"));
-    effects_.declare("interactions", false, "none given");
-    readLoads(dict.subOrEmptyDict("loads"));
+                     : unfelt ? string("coupling oneWay: the fluid does not "
+                                       "feel the bodies")
+                              : string("same fluid inside"));
 }
 
 void Foam::bodyCollection::readLoads(const dictionary& loads)
 {
+    wordList names(groups_.size());
+    forAll(groups_, g)
+    {
+        names[g] = groups_[g].name();
+    }
     for (const word& name : loads.toc())
     {
         const dictionary& load = loads.subDict(name);
         const word group(load.get<word>("group"));
-        wordList all(groups_.size());
-        forAll(groups_, g)
-        {
-            all[g] = groups_[g].name();
-            if (all[g] == group) groups_[g].addLoad(name, load);
-        }
-        if (!all.found(group))
+        const label g = names.find(group);
+        if (g < 0)
         {
             OStringStream allowed;
-            allowed << flatOutput(all);
+            allowed << flatOutput(names);
             refuse(load, "group", group, allowed.str());
         }
+        forces_.append(bodyForce::New(load, groups_[g].points(-1)).ptr());
+        effects_.declare(forces_.last().effect(), true, name);
+        if (!groups_[g].takesForces())
+        {
+            refuse(load, "group", group,
+                   "a group that acts on the fluid: capsules that are only "
+                   "carried by it (coupling oneWay) feel no force");
+        }
     }
-    effects_.declare("loads", !loads.empty(),
-                     loads.empty() ? string("none given")
-                                   : string(loads.toc()[0]));
+    if (loads.empty()) effects_.declare("loads", false, "none given");
 }
 
 Foam::vector Foam::bodyCollection::readGravity() const
@@ -204,34 +222,7 @@ void Foam::bodyCollection::start()
              << maxDeltaT() << " for the stiffest body; if bodies diverge, "
              << "reduce it" << nl << endl;
     }
-    sample(startTime_);
-    draw(startTime_, startIndex_);
-}
-
-void Foam::bodyCollection::stop(const string& trouble)
-{
-    List<string> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = trouble;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-
-    Time& time = const_cast<Time&>(mesh_.time());
-    diverged_ = true;
-    if (beforeStop_) beforeStop_();
-    Info << "Writing the state before the stop" << endl;
-    time.writeNow();
-    for (const string& t : all)
-    {
-        if (!t.empty())
-        {
-            FatalErrorInFunction
-                << "a body diverged at time " << time.timeName() << ": "
-                << t.c_str() << nl
-                << "    What it looked like has been written to time "
-                << time.timeName() << "; go on from an earlier time with a "
-                << "smaller deltaT" << exit(FatalError);
-        }
-    }
+    writer_->start();
 }
 
 Foam::tmp<Foam::volVectorField> Foam::bodyCollection::cellForce() const

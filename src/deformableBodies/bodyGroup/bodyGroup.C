@@ -2,6 +2,7 @@
 
 #include "bodyGroup.H"
 #include "dictionaryChecks.H"
+#include <algorithm>
 
 namespace Foam
 {
@@ -9,31 +10,21 @@ defineTypeNameAndDebug(bodyGroup, 0);
 defineRunTimeSelectionTable(bodyGroup, dictionary);
 } // namespace Foam
 
+Foam::bodyCoupling Foam::readCoupling(const dictionary& dict,
+                                      const bodyCoupling otherwise)
+{
+    return readEnum(Enum<bodyCoupling>({{bodyCoupling::none, "none"},
+                                        {bodyCoupling::oneWay, "oneWay"},
+                                        {bodyCoupling::twoWay, "twoWay"}}),
+                    dict, "coupling", otherwise);
+}
+
 Foam::bodyGroup::bodyGroup(const word& name, const dictionary& dict,
                            const bodyScene& scene)
     : name_(name),
-      nBodies_(0),
       coupling_(readCoupling(dict, scene.coupling)),
       scene_(scene)
 {
-    nBodies_ = readPositions(dict).size();
-    DynamicList<label> mine;
-    for (label i = 0; i < nBodies_; ++i)
-    {
-        if (i % Pstream::nProcs() == Pstream::myProcNo()) mine.append(i);
-    }
-    mine_.transfer(mine);
-}
-
-Foam::word Foam::bodyGroup::readCoupling(const dictionary& dict,
-                                         const word& otherwise)
-{
-    const word coupling(dict.getOrDefault<word>("coupling", otherwise));
-    if (!wordList({"twoWay", "oneWay", "none"}).found(coupling))
-    {
-        refuse(dict, "coupling", coupling, "(none oneWay twoWay)");
-    }
-    return coupling;
 }
 
 Foam::autoPtr<Foam::bodyGroup> Foam::bodyGroup::New(const word& name,
@@ -44,10 +35,9 @@ Foam::autoPtr<Foam::bodyGroup> Foam::bodyGroup::New(const word& name,
     auto cstr = dictionaryConstructorTablePtr_->cfind(type);
     if (!cstr.found())
     {
-        FatalIOErrorInFunction(dict)
-            << "entry type has the value " << type << nl << "    allowed: "
-            << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
-            << exit(FatalIOError);
+        OStringStream allowed;
+        allowed << flatOutput(dictionaryConstructorTablePtr_->sortedToc());
+        refuse(dict, "type", type, allowed.str());
     }
     return cstr()(name, dict, scene);
 }
@@ -101,12 +91,52 @@ void Foam::bodyGroup::checkWalls(const dictionary& dict, const label body,
     }
 }
 
-void Foam::bodyGroup::addLoad(const word& name, const dictionary& dict)
+Foam::string Foam::bodyGroup::nameOf(const label i) const
 {
-    refuse(dict, "group", name_, "a group of bodies that takes loads");
+    return "body " + Foam::name(mine_[i]) + " of group " + name_;
 }
 
-Foam::pointField Foam::bodyGroup::readPositions(const dictionary& dict) const
+void Foam::bodyGroup::insert(const label body, const scalarList& state,
+                             const dictionary& source)
+{
+    const label i = std::lower_bound(mine_.begin(), mine_.end(), body) -
+                    mine_.begin();
+    labelList mine(mine_.size() + 1);
+    forAll(mine, k)
+    {
+        mine[k] = k < i ? mine_[k] : k == i ? body : mine_[k - 1];
+    }
+    mine_.transfer(mine);
+    insertBody(i, body);
+    if (state.size())
+        setState(i, state, source);
+    else
+        checkStart(i, source);
+}
+
+Foam::scalarList Foam::bodyGroup::release(const label i)
+{
+    const scalarList s(state(i));
+    for (label k = i; k + 1 < mine_.size(); ++k)
+    {
+        mine_[k] = mine_[k + 1];
+    }
+    mine_.setSize(mine_.size() - 1);
+    eraseBody(i);
+    return s;
+}
+
+Foam::List<Foam::scalarList> Foam::bodyGroup::states() const
+{
+    List<scalarList> all(mine_.size());
+    forAll(all, i)
+    {
+        all[i] = state(i);
+    }
+    return all;
+}
+
+Foam::pointField Foam::bodyGroup::readPositions(const dictionary& dict)
 {
     const pointField positions(dict.lookup("positions"));
     if (positions.empty())
@@ -125,5 +155,6 @@ Foam::pointField Foam::bodyGroup::readPositions(const dictionary& dict) const
                 << box.min() << " to " << box.max() << exit(FatalIOError);
         }
     }
+    nBodies_ = positions.size();
     return positions;
 }

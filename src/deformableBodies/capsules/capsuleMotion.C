@@ -2,10 +2,10 @@
 
 // How a capsule moves with the fluid
 
-#include "capsules.H"
+#include "capsuleGroup.H"
 #include "dictionaryChecks.H"
 
-void Foam::capsules::setMotion(const dictionary& dict)
+void Foam::capsuleGroup::setMotion(const dictionary& dict)
 {
     const membraneModel& law = membrane_->model();
     const scalar modulus = bending_ ? bending_->modulus() : 0;
@@ -74,7 +74,7 @@ void Foam::capsules::setMotion(const dictionary& dict)
                                     : "motion " + motion);
 }
 
-void Foam::capsules::volumeGradient(const numbers& x, numbers& g) const
+void Foam::capsuleGroup::volumeGradient(const numbers& x, numbers& g) const
 {
     const sphericalHarmonics& grid = membrane_->harmonics();
     const label n = grid.nPoints();
@@ -90,7 +90,8 @@ void Foam::capsules::volumeGradient(const numbers& x, numbers& g) const
     grid.analysis(onGrid_.data(), g.data());
 }
 
-Foam::string Foam::capsules::move(const vector* U, const bodyStep& s)
+Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
+                                         const bodyStep& s)
 {
     const scalar dt = s.dt;
     const auto timing(scene_.effects.time("membrane"));
@@ -148,8 +149,7 @@ Foam::string Foam::capsules::move(const vector* U, const bodyStep& s)
                                   : string("marker velocity is not finite"));
         if (!wrong.empty())
         {
-            trouble = "body " + Foam::name(mine()[i]) + " of group " + name() +
-                      ": " + wrong;
+            trouble = nameOf(i) + ": " + wrong;
             c.xMid = c.x;
             continue;
         }
@@ -177,7 +177,7 @@ Foam::string Foam::capsules::move(const vector* U, const bodyStep& s)
     return trouble;
 }
 
-Foam::string Foam::capsules::check(const numbers& x) const
+Foam::string Foam::capsuleGroup::check(const numbers& x) const
 {
     const membrane::extremes e(membrane_->stretches(x.data()));
     if (!(e.stretch < 50))
@@ -198,7 +198,7 @@ Foam::string Foam::capsules::check(const numbers& x) const
     return "";
 }
 
-Foam::scalar Foam::capsules::maxDeltaT() const
+Foam::scalar Foam::capsuleGroup::maxDeltaT() const
 {
     return maxDeltaT_;
 }

@@ -2,12 +2,12 @@
 
 // What is measured, drawn and saved of a capsule
 
-#include "capsules.H"
+#include "capsuleGroup.H"
 #include <cmath>
 
 // Surface integrals of the shape. Products of the series are integrated
 // exactly by the load grid up to the third degree in x
-Foam::capsules::geometry Foam::capsules::measure(const numbers& x) const
+Foam::capsuleGroup::geometry Foam::capsuleGroup::measure(const numbers& x) const
 {
     const sphericalHarmonics& grid = membrane_->harmonics();
     const label n = grid.nPoints();
@@ -36,13 +36,13 @@ Foam::capsules::geometry Foam::capsules::measure(const numbers& x) const
     return m;
 }
 
-Foam::wordList Foam::capsules::columns() const
+Foam::wordList Foam::capsuleGroup::columns() const
 {
     return {"x",           "y",      "z",       "volume", "area",     "D",
             "inclination", "length", "breadth", "energy", "lambdaMax"};
 }
 
-Foam::scalarList Foam::capsules::sample(const label i) const
+Foam::scalarList Foam::capsuleGroup::sample(const label i) const
 {
     const numbers& x = capsules_[i].x;
     const geometry m(measure(x));
@@ -76,7 +76,7 @@ Foam::scalarList Foam::capsules::sample(const label i) const
             membrane_->stretches(x.data()).stretch};
 }
 
-Foam::bodySurface Foam::capsules::surface(const label i) const
+Foam::bodySurface Foam::capsuleGroup::surface(const label i) const
 {
     const capsule& c = capsules_[i];
     const sphericalHarmonics& grid = membrane_->harmonics();
@@ -149,7 +149,7 @@ Foam::bodySurface Foam::capsules::surface(const label i) const
     return s;
 }
 
-Foam::scalarList Foam::capsules::state(const label i) const
+Foam::scalarList Foam::capsuleGroup::state(const label i) const
 {
     const capsule& c = capsules_[i];
     DynamicList<scalar> s;
@@ -162,20 +162,30 @@ Foam::scalarList Foam::capsules::state(const label i) const
     return scalarList(std::move(s));
 }
 
-void Foam::capsules::setState(const label i, const scalarList& state,
+Foam::point Foam::capsuleGroup::centreOf(const scalarList& state,
+                                         const label body,
+                                         const dictionary& source) const
+{
+    const label n = initial_.size(), nParts = (state.size() - 1) / n;
+    if (state.size() != 1 + nParts * n || nParts < 2 || nParts > 4)
+    {
+        FatalIOErrorInFunction(source)
+            << "the saved state of body " << body << " of group " << name()
+            << " has " << state.size() << " numbers where " << 1 + 2 * n
+            << " belong to its harmonics: was the entry harmonics changed?"
+            << exit(FatalIOError);
+    }
+    return vector(state[1], state[2], state[3]) /
+           std::sqrt(4 * constant::mathematical::pi);
+}
+
+void Foam::capsuleGroup::setState(const label i, const scalarList& state,
                               const dictionary& source)
 {
     capsule& c = capsules_[i];
     const label n = c.x.size();
     const label nParts = (state.size() - 1) / n;
-    if (state.size() != 1 + nParts * n || nParts < 2 || nParts > 4)
-    {
-        FatalIOErrorInFunction(source)
-            << "the saved state of body " << mine()[i] << " has "
-            << state.size() << " numbers where " << 1 + 2 * n
-            << " belong to its harmonics: was the entry harmonics changed?"
-            << exit(FatalIOError);
-    }
+    centreOf(state, mine()[i], source);
     c.lastDeltaT = state[0];
     const auto begin = state.cdata() + 1;
     c.x.assign(begin, begin + n);

@@ -18,7 +18,7 @@ Foam::filament::filament(const properties& all, const point& first,
 }
 
 Foam::filament::filament(const properties& all, const vectorField& nodes)
-    : all_(all),
+    : all_(&all),
       X_(nodes),
       V_(nodes.size(), Zero),
       XBefore_(nodes),
@@ -26,7 +26,7 @@ Foam::filament::filament(const properties& all, const vectorField& nodes)
       T_(nodes.size() - 1, Zero),
       meanV_(nodes.size(), Zero)
 {
-    const label N = all_.segments;
+    const label N = all_->segments;
     base_[0] = X_[0];
     base_[1] = X_[N];
     clamp_[0] = (X_[1] - X_[0]) / mag(X_[1] - X_[0]);
@@ -35,18 +35,18 @@ Foam::filament::filament(const properties& all, const vectorField& nodes)
 
 Foam::scalar Foam::filament::bendWeight(const label k) const
 {
-    if (k == 0) return all_.ends[0] == CLAMPED ? 0.5 : 0;
-    if (k == all_.segments) return all_.ends[1] == CLAMPED ? 0.5 : 0;
+    if (k == 0) return all_->ends[0] == CLAMPED ? 0.5 : 0;
+    if (k == all_->segments) return all_->ends[1] == CLAMPED ? 0.5 : 0;
     return 1;
 }
 
 // At a clamped end the neighbour beyond it lies along the clamp
 Foam::vector Foam::filament::bend(const vectorField& X, const label k) const
 {
-    if (k == 0) return 2 * (X[1] - X[0] - all_.ds() * clamp_[0]);
-    if (k == all_.segments)
+    if (k == 0) return 2 * (X[1] - X[0] - all_->ds() * clamp_[0]);
+    if (k == all_->segments)
     {
-        return 2 * (X[k - 1] - X[k] + all_.ds() * clamp_[1]);
+        return 2 * (X[k - 1] - X[k] + all_->ds() * clamp_[1]);
     }
     return X[k - 1] - 2 * X[k] + X[k + 1];
 }
@@ -70,8 +70,8 @@ Foam::vectorField Foam::filament::ahead(const scalar dt) const
 
 bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
 {
-    const label N = all_.segments, n = 4 * N + 3;
-    const scalar ds = all_.ds(), stiffness = all_.rigidity / pow3(ds);
+    const label N = all_->segments, n = 4 * N + 3;
+    const scalar ds = all_->ds(), stiffness = all_->rigidity / pow3(ds);
 
     // BDF2; the first step is of first order
     const bool first = lastDeltaT_ == 0;
@@ -97,13 +97,13 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
         const label i = s.points[k].segment;
         vector t(X[i + 1] - X[i]);
         t /= mag(t);
-        drag[k] = s.drag[k] * (symmTensor::I - (1 - all_.dragRatio) * sqr(t));
+        drag[k] = s.drag[k] * (symmTensor::I - (1 - all_->dragRatio) * sqr(t));
         meanDrag += s.drag[k] / (N + 1);
     }
 
     // Tension in units that make its rows as large as those of the places
     const scalar unit =
-        ds * all_.mass * sqr(c0) + meanDrag * c0 + 6 * stiffness;
+        ds * all_->mass * sqr(c0) + meanDrag * c0 + 6 * stiffness;
 
     forAll(X, i)
     {
@@ -116,19 +116,19 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
         if (fresh) A.clear(n);
         forAll(X, i)
         {
-            const scalar w = all_.lengthOf(i);
+            const scalar w = all_->lengthOf(i);
             V[i] = c0 * X[i] + c1 * X_[i] + c2 * XBefore_[i];
             const vector acceleration(c0 * V[i] + c1 * V_[i] +
                                       c2 * VBefore_[i]);
-            R[i] = w * (all_.mass * acceleration - s.force[i]);
+            R[i] = w * (all_->mass * acceleration - s.force[i]);
             for (direction d = 0; d < 3 && fresh; ++d)
             {
-                A(4 * i + d, 4 * i + d) += w * all_.mass * sqr(c0);
+                A(4 * i + d, 4 * i + d) += w * all_->mass * sqr(c0);
             }
         }
         forAll(drag, k)
         {
-            const place& p = s.points[k];
+            const linePoint& p = s.points[k];
             const vector F(drag[k] & (p(V) - s.U[k]));
             const scalar share[2] = {1 - p.at, p.at};
             for (int a = 0; a < 2; ++a)
@@ -215,7 +215,7 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
             largest = max(largest, mag(dX));
             if (i < N) T[i] += unit * change[4 * i + 3];
         }
-        if (!(largest < all_.length)) return false;
+        if (!(largest < all_->length)) return false;
 
         // The lengths' error left is the square of the last change with a matrix
         // of its own, else that change times the rate of convergence
@@ -263,10 +263,10 @@ bool Foam::filament::step(const scalar dt, const surroundings& s)
     iterations_ = 0;
     timeLeft_ = dt;
     meanV_ = Zero;
-    if (all_.scheme != IMPLICIT || !tryStep(dt, s))
+    if (all_->scheme != IMPLICIT || !tryStep(dt, s))
     {
         const filament before(*this);
-        if (!(all_.scheme == IMPLICIT ? halves(dt, s, 6)
+        if (!(all_->scheme == IMPLICIT ? halves(dt, s, 6)
                                       : twoStep(dt, s.force)))
         {
             X_ = before.X_;
@@ -285,9 +285,9 @@ bool Foam::filament::step(const scalar dt, const surroundings& s)
 Foam::scalar Foam::filament::lengthError() const
 {
     scalar largest = 0;
-    for (label i = 0; i < all_.segments; ++i)
+    for (label i = 0; i < all_->segments; ++i)
     {
-        largest = max(largest, mag(mag(X_[i + 1] - X_[i]) / all_.ds() - 1));
+        largest = max(largest, mag(mag(X_[i + 1] - X_[i]) / all_->ds() - 1));
     }
     return largest;
 }
@@ -297,7 +297,7 @@ Foam::scalar Foam::filament::kineticEnergy() const
     scalar sum = 0;
     forAll(V_, i)
     {
-        sum += 0.5 * all_.lengthOf(i) * all_.mass * magSqr(V_[i]);
+        sum += 0.5 * all_->lengthOf(i) * all_->mass * magSqr(V_[i]);
     }
     return sum;
 }
@@ -310,7 +310,7 @@ Foam::scalar Foam::filament::bendingEnergy() const
         const scalar w = bendWeight(k);
         if (w > 0) sum += w * magSqr(bend(X_, k));
     }
-    return 0.5 * all_.rigidity / pow3(all_.ds()) * sum;
+    return 0.5 * all_->rigidity / pow3(all_->ds()) * sum;
 }
 
 void Foam::filament::save(const vectorField& v, DynamicList<scalar>& state)
@@ -359,4 +359,12 @@ void Foam::filament::restore(const scalar* state)
         T_[i] = *state++;
     }
     iterations_ = label(*state);
+}
+
+Foam::vectorField Foam::filament::placesOf(const scalar* state,
+                                           const label segments)
+{
+    vectorField X(segments + 1);
+    restore(state + 1, X);
+    return X;
 }

@@ -2,15 +2,15 @@
 
 // Filaments and the fluid within a time step, and between runs
 
-#include "filaments.H"
+#include "filamentGroup.H"
 #include <cmath>
 
-Foam::label Foam::filaments::nMarkers() const
+Foam::label Foam::filamentGroup::nMarkers() const
 {
-    return filaments_.size() * markersEach();
+    return bodies_.size() * markersEach();
 }
 
-void Foam::filaments::makePoints(const label n, const scalar inset)
+void Foam::filamentGroup::makePoints(const label n, const scalar inset)
 {
     points_.setSize(n);
     const scalar ds = properties_.ds();
@@ -25,10 +25,10 @@ void Foam::filaments::makePoints(const label n, const scalar inset)
 
 // Where the filament is expected at the end of the step: there the fluid is to
 // move with it
-void Foam::filaments::markers(vector* X, const scalar dt)
+void Foam::filamentGroup::markers(vector* X, const scalar dt)
 {
     if (alone()) return;
-    for (fibre& x : filaments_)
+    for (body& x : bodies_)
     {
         x.ahead = x.line.ahead(dt);
         forAll(points_, k)
@@ -40,18 +40,18 @@ void Foam::filaments::markers(vector* X, const scalar dt)
     }
 }
 
-void Foam::filaments::loads(vector* X, vector* F, scalar)
+void Foam::filamentGroup::loads(vector* X, vector* F, scalar)
 {
-    for (const fibre& x : filaments_)
+    for (const body& x : bodies_)
     {
         X = std::copy(x.markers.begin(), x.markers.end(), X);
         F = std::copy(x.forces.begin(), x.forces.end(), F);
     }
 }
 
-void Foam::filaments::observe(const vector* U)
+void Foam::filamentGroup::observe(const vector* U)
 {
-    for (fibre& x : filaments_)
+    for (body& x : bodies_)
     {
         x.slip = 0;
         forAll(points_, k)
@@ -62,31 +62,73 @@ void Foam::filaments::observe(const vector* U)
     }
 }
 
+void Foam::filamentGroup::lines(label* line) const
+{
+    for (const label number : mine())
+    {
+        line = std::fill_n(line, points_.size(), number);
+        line = std::fill_n(line, markersEach() - points_.size(), -1);
+    }
+}
+
 // A point moves the fluid of this cross-section over its length, per step with
 // what diffusion leaves of it
-Foam::scalar Foam::filaments::directForcing(const bodyStep& s) const
+Foam::scalar Foam::filamentGroup::forcingGain(const bodyStep& s) const
 {
     const scalar squares = scene_.kernel.sumOfSquares();
 
     // Points far apart move less than a line does
     const scalar length =
         min(properties_.length / points_.size(), h_ / squares);
-    return scene_.rho * length * sqr(h_ / squares) / (s.kept * s.dt);
+    return scene_.rho * length * sqr(h_ / squares) / (s.impulseFraction * s.dt);
 }
 
-bool Foam::filaments::moveOne(fibre& x, const vector* U, const bodyStep& s,
-                              filament::surroundings& around)
+Foam::bodyPoints Foam::filamentGroup::pointsOf(const label number,
+                                               const vectorField& X,
+                                               const vectorField& V) const
 {
-    const label n = points_.size();
-    around.force = weight_;
-    for (const filamentLoad& load : loads_)
+    bodyPoints p{name(),        number,        X,
+                 V,             vectorField(), scalarField(X.size()),
+                 crossSection_, properties_.rigidity / pow3(properties_.ds())};
+    forAll(X, i)
     {
-        load.add(x.line.ahead(s.dt), properties_.ds(), s.time, around.force);
+        p.lengths[i] = properties_.lengthOf(i);
+    }
+    return p;
+}
+
+Foam::bodyPoints Foam::filamentGroup::points(const label i) const
+{
+    if (i < 0)
+    {
+        const vectorField X(firstShape(0));
+        return pointsOf(-1, X - average(X), vectorField(X.size(), Zero));
+    }
+    const filament& x = bodies_[i].line;
+    return pointsOf(mine()[i], x.places(), x.velocities());
+}
+
+bool Foam::filamentGroup::moveOne(const label i, const vector* U,
+                                  const scalar* lineDensity, const bodyStep& s,
+                                  filament::surroundings& around)
+{
+    body& x = bodies_[i];
+    const label n = points_.size();
+    around.force = Zero;
+    if (scene_.forces.actOn(name()))
+    {
+        const bodyPoints p(
+            pointsOf(mine()[i], x.line.ahead(s.dt), x.line.velocities()));
+        around.force = scene_.forces.on(p, s.time, scene_.effects) / p.lengths;
     }
     if (base_.valid())
     {
         x.line.moveEnd(movedEnd(), x.start + base_->value(s.time));
     }
+    around.drag = twoWay() ? forcingGain(s)
+                           : drag_ * properties_.length / max(n, label(1));
+    if (couple_) around.couple = couple_->K();
+    if (twoWay()) shareAmongLines(lineDensity, around);
 
     const bool first = !x.line.started();
     for (label k = 0; k < n; ++k)
@@ -105,8 +147,8 @@ bool Foam::filaments::moveOne(fibre& x, const vector* U, const bodyStep& s,
         else
         {
             // The fluid in its place would accelerate like this
-            const vector inertia(displaced_ * properties_.length / n / x.dt *
-                                 change);
+            const vector inertia(crossSection_ * scene_.rho *
+                                 properties_.length / n / x.dt * change);
             const label i = points_[k].segment;
             const scalar at = points_[k].at;
             around.force[i] += (1 - at) / properties_.lengthOf(i) * inertia;
@@ -125,45 +167,60 @@ bool Foam::filaments::moveOne(fibre& x, const vector* U, const bodyStep& s,
         {
             x.forces[k] = around.drag[k] * (points_[k](V) - around.U[k]);
         }
-        if (couple_) couple_->forces(x.ahead, V, around.shear, &x.forces[n]);
+        if (couple_)
+        {
+            couple_->forces(x.ahead, V, around.shear, around.couple,
+                            &x.forces[n]);
+        }
     }
     return true;
 }
 
-Foam::string Foam::filaments::move(const vector* U, const bodyStep& s)
+// Where several lines of markers lie in one place each answers to the fluid with
+// its share: together they are as stable, and as thick, as one
+void Foam::filamentGroup::shareAmongLines(const scalar* lineDensity,
+                                          filament::surroundings& around) const
+{
+    forAll(points_, k)
+    {
+        around.drag[k] /= lineDensity[k];
+    }
+    label k = 0;
+    forAll(around.couple, i)
+    {
+        // The nearest marker before the end of the segment
+        while (k + 1 < points_.size() && points_[k + 1].segment <= i) ++k;
+        around.couple[i] /= lineDensity[k];
+    }
+}
+
+Foam::string Foam::filamentGroup::move(const vector* U,
+                                       const scalar* lineDensity,
+                                       const bodyStep& s)
 {
     const auto timing(scene_.effects.time("filament"));
-    const label n = points_.size();
-    const scalar drag =
-        twoWay() ? directForcing(s) : drag_ * properties_.length / max(n, 1);
     filament::surroundings around{vectorField(properties_.segments + 1),
-                                  points_, scalarField(n, drag),
-                                  vectorField(n)};
-    if (couple_) around.couple = couple_->K();
-
+                                  points_, scalarField(points_.size()),
+                                  vectorField(points_.size())};
     string trouble;
-    for (label i = 0; i < label(filaments_.size()); ++i)
+    forAll(mine(), i)
     {
-        if (!moveOne(filaments_[i], U, s, around))
+        if (!moveOne(i, U, lineDensity, s, around))
         {
-            trouble = "body " + Foam::name(mine()[i]) + " of group " + name() +
+            trouble = nameOf(i) +
                       ": no tension holds its length, even in a 64th of the "
                       "step (a floppy filament as light as the fluid needs "
                       "segments no shorter than a cell)";
         }
         U += markersEach();
+        lineDensity += markersEach();
     }
     return trouble;
 }
 
-void Foam::filaments::addLoad(const word&, const dictionary& dict)
+Foam::scalarList Foam::filamentGroup::state(const label i) const
 {
-    loads_.append(new filamentLoad(dict));
-}
-
-Foam::scalarList Foam::filaments::state(const label i) const
-{
-    const fibre& x = filaments_[i];
+    const body& x = bodies_[i];
     DynamicList<scalar> s;
     x.line.save(s);
     s.append(x.slip);
@@ -173,21 +230,30 @@ Foam::scalarList Foam::filaments::state(const label i) const
     return scalarList(std::move(s));
 }
 
-void Foam::filaments::setState(const label i, const scalarList& state,
-                               const dictionary& source)
+Foam::point Foam::filamentGroup::centreOf(const scalarList& state,
+                                          const label number,
+                                          const dictionary& source) const
 {
-    fibre& x = filaments_[i];
-    const label own = x.line.stateSize();
-    const label all = own + 2 + 3 * (x.U.size() + x.forces.size());
+    const label N = properties_.segments;
+    const label all = filament::stateSize(N) + 2 +
+                      3 * (points_.size() + (twoWay() ? markersEach() : 0));
     if (state.size() != all)
     {
         FatalIOErrorInFunction(source)
-            << "the saved state of body " << mine()[i] << " has "
-            << state.size() << " numbers where " << all
+            << "the saved state of body " << number << " of group " << name()
+            << " has " << state.size() << " numbers where " << all
             << " belong to its segments and coupling: was one of the entries "
             << "segments, coupling, thicknessCouple, kernel or the size of the "
             << "cells changed?" << exit(FatalIOError);
     }
+    return average(filament::placesOf(state.cdata(), N));
+}
+
+void Foam::filamentGroup::setState(const label i, const scalarList& state,
+                                   const dictionary& source)
+{
+    centreOf(state, mine()[i], source);
+    body& x = bodies_[i];
     x.line.restore(state.cdata());
     if (properties_.scheme == filament::IMPLICIT && x.line.lengthError() > 1e-6)
     {
@@ -196,7 +262,8 @@ void Foam::filaments::setState(const label i, const scalarList& state,
             << " has segments of another length: was the entry length changed?"
             << exit(FatalIOError);
     }
-    const scalar* at = state.cdata() + own;
+    const scalar* at =
+        state.cdata() + filament::stateSize(properties_.segments);
     x.slip = *at++;
     x.dt = *at++;
     at = filament::restore(at, x.U);

@@ -2,11 +2,11 @@
 
 // What is reported and drawn of filaments
 
-#include "filaments.H"
+#include "filamentGroup.H"
 #include "mathematicalConstants.H"
 #include <cmath>
 
-Foam::wordList Foam::filaments::columns() const
+Foam::wordList Foam::filamentGroup::columns() const
 {
     return {"x",      "y",          "z",        "tipX",
             "tipY",   "tipZ",       "endToEnd", "lengthError",
@@ -14,12 +14,12 @@ Foam::wordList Foam::filaments::columns() const
             "forceX", "forceY",     "forceZ",   "slip"};
 }
 
-Foam::scalarList Foam::filaments::sample(const label i) const
+Foam::scalarList Foam::filamentGroup::sample(const label i) const
 {
-    const filament& x = filaments_[i].line;
+    const filament& x = bodies_[i].line;
     const vectorField& X = x.places();
     const label N = properties_.segments;
-    const vector force(sum(filaments_[i].forces));
+    const vector force(sum(bodies_[i].forces));
     vector centre(Zero);
     for (label k = 0; k < N; ++k)
     {
@@ -42,13 +42,13 @@ Foam::scalarList Foam::filaments::sample(const label i) const
             force.x(),
             force.y(),
             force.z(),
-            filaments_[i].slip};
+            bodies_[i].slip};
 }
 
 // A line along the nodes
-Foam::bodySurface Foam::filaments::surface(const label i) const
+Foam::bodySurface Foam::filamentGroup::surface(const label i) const
 {
-    const filament& x = filaments_[i].line;
+    const filament& x = bodies_[i].line;
     const vectorField& X = x.places();
     const label N = properties_.segments;
 

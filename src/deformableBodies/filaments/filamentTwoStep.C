@@ -6,9 +6,9 @@
 
 bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
 {
-    const label N = all_.segments;
-    const scalar ds = all_.ds(), stiffness = all_.rigidity / pow3(ds);
-    const bool centred = all_.scheme == TWO_STEP_CENTRED;
+    const label N = all_->segments;
+    const scalar ds = all_->ds(), stiffness = all_->rigidity / pow3(ds);
+    const bool centred = all_->scheme == TWO_STEP_CENTRED;
 
     // (X^{n+1} - X*)/toSquare is the acceleration for any ratio of steps, and at
     // the first, which starts from places and velocities
@@ -22,7 +22,7 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
     vectorField force(N + 1);
     forAll(force, i)
     {
-        force[i] = all_.lengthOf(i) * f[i];
+        force[i] = all_->lengthOf(i) * f[i];
     }
     vectorField loaded(force);
     bends(
@@ -43,7 +43,7 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
     scalarField inverse(N + 1);
     forAll(inverse, i)
     {
-        inverse[i] = held(i) ? 0 : 1 / (all_.lengthOf(i) * all_.mass);
+        inverse[i] = held(i) ? 0 : 1 / (all_->lengthOf(i) * all_->mass);
     }
     const auto along = [&](const vectorField& X, const label i)
     { return vector((X[i + 1] - X[i]) / ds); };
@@ -82,7 +82,7 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
     };
     forAll(b, i)
     {
-        const scalar inertia = all_.lengthOf(i) * all_.mass / toSquare;
+        const scalar inertia = all_->lengthOf(i) * all_->mass / toSquare;
         A(i, i) += inertia;
         b[i] += inertia * ahead[i];
     }

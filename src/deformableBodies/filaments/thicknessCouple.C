@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "thicknessCouple.H"
+#include "markerLine.H"
 #include "mathematicalConstants.H"
 #include <cmath>
 
@@ -26,7 +27,7 @@ Foam::scalar Foam::thicknessCouple::resolved(const deltaKernel& kernel,
                                              const scalar mu, const scalar h)
 {
     const scalar beta = kernel.type() == deltaKernel::Roma3 ? 0.0588 : 0.0431;
-    const scalar K = constant::mathematical::twoPi * sqr(kernel.lineRadius());
+    const scalar K = constant::mathematical::twoPi * sqr(markerLine::radius(kernel));
     return mu * sqr(h) * K / (1 - beta * K);
 }
 
@@ -82,7 +83,8 @@ Foam::vectorField Foam::thicknessCouple::shear(const vectorField& X,
 }
 
 void Foam::thicknessCouple::forces(const vectorField& X, const vectorField& V,
-                                   const vectorField& shear, vector* F) const
+                                   const vectorField& shear,
+                                   const scalarField& K, vector* F) const
 {
     for (label j = 0; j < stations_; ++j)
     {
@@ -90,7 +92,7 @@ void Foam::thicknessCouple::forces(const vectorField& X, const vectorField& V,
         vector dipole(Zero);
         for (label i = first(j); i < first(j + 1); ++i)
         {
-            dipole -= K_[i] * (ds_ * shear[i] + V[i + 1] - V[i]);
+            dipole -= K[i] * (ds_ * shear[i] + V[i + 1] - V[i]);
         }
         for (const vector& e : f.e)
         {

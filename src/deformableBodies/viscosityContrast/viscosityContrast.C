@@ -30,16 +30,15 @@ Foam::viscosityContrast::viscosityContrast(const fvMesh& mesh, const scalar nu0,
 {
 }
 
-void Foam::viscosityContrast::update(const immersedBoundary& boundary,
-                                     const vectorField& X, const vectorField& G,
-                                     const scalar excess,
+void Foam::viscosityContrast::update(const markerSet& markers,
+                                     const vectorField& G, const scalar excess,
                                      staggeredField& work) const
 {
     volScalarField& nu = mesh_.lookupObjectRef<volScalarField>("nu");
     nu.writeOpt() = IOobject::AUTO_WRITE;
 
     work.clear();
-    boundary.spread(X, G, work);
+    markers.spread(G, work);
     surfaceScalarField flux(IOobject("G", mesh_.time().timeName(), mesh_),
                             mesh_, dimensionedScalar(dimVolume, Zero));
     flux.setOriented();

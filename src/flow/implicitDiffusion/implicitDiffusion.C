@@ -53,11 +53,9 @@ void Foam::implicitDiffusion::solve(const direction component, scalar* x,
         {
             const scalar w = 2 * beta[d] * change[d][side][component];
             if (d == component || w == 0 || grid_.periodic(d)) continue;
-            const label wallCell = side ? grid_.n()[d] - 1 : 0;
-            for (label i = 0; i < box.count(); ++i)
-            {
-                if (box.cell(i)[d] == wallCell) x[i] += w;
-            }
+            const label wall = (side ? grid_.n()[d] - 1 : 0) - box.lo[d];
+            if (wall < 0 || wall >= box.size[d]) continue;
+            box.layer(d, wall, [&](const label i) { x[i] += w; });
         }
     }
     transforms_[component]->solve(x, x, 1, beta);

@@ -211,7 +211,7 @@ void Foam::staggeredFlow::setViscosity(const volScalarField& nu,
 
 void Foam::staggeredFlow::hold(const direction component, const scalar mean)
 {
-    held_ = true;
+    holdsMean_ = true;
     heldComponent_ = component;
     heldMean_ = mean;
 }
@@ -295,9 +295,7 @@ void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
 {
     const bool before = explicit_;
     const scalar limit = RK3_ ? 0.2 : 0.08;
-    const vector& h = grid_.h();
-    const scalar number =
-        nuMax_ * dt * (1 / sqr(h.x()) + 1 / sqr(h.y()) + 1 / sqr(h.z())) / 3;
+    const scalar number = grid_.diffusionNumber(nuMax_, dt);
 
     if (diffusion_ == "auto")
     {
@@ -338,11 +336,11 @@ void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
     }
 }
 
-void Foam::staggeredFlow::step(const scalar dt)
+void Foam::staggeredFlow::begin(const scalar dt)
 {
     chooseDiffusion(dt);
 
-    const wallVelocities before(walls_);
+    wallsBefore_ = walls_;
     if (wallsChange_)
     {
         for (fvPatchVectorField& Ub : U_.boundaryFieldRef())
@@ -359,47 +357,56 @@ void Foam::staggeredFlow::step(const scalar dt)
                 << "; use flowAlgorithm pimple" << exit(FatalIOError);
         }
     }
-    const wallVelocities after(wallsAhead_);
-    const auto wallsAt = [&](const scalar fraction)
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            for (label side = 0; side < 2; ++side)
-            {
-                wallsAhead_[d][side] = (1 - fraction) * before[d][side] +
-                                       fraction * after[d][side];
-            }
-        }
-    };
+    wallsAfter_ = wallsAhead_;
 
-    gradient_ = 0;
-    if (!RK3_)
+    if (RK3_)
+    {
+        stages_ = {{8.0 / 15, 0, 8.0 / 15},
+                   {5.0 / 12, -17.0 / 60, 2.0 / 15},
+                   {3.0 / 4, -5.0 / 12, 1.0 / 3}};
+    }
+    else
     {
         const scalar c0 = hasLast_ ? -0.5 * dt / lastDt_ : 0;
+        stages_ = {{1 - c0, c0, 1}};
         lastDt_ = dt;
         hasLast_ = true;
-        predict(dt, {1 - c0, c0, 1}, force_, bool(bodies_));
-        project(dt);
-        gradient_ /= dt;
-        return;
     }
+    stage_ = 0;
+    stepDt_ = dt;
+    gradient_ = 0;
+}
 
-    static const stage stages[3] = {{8.0 / 15, 0, 8.0 / 15},
-                                    {5.0 / 12, -17.0 / 60, 2.0 / 15},
-                                    {3.0 / 4, -5.0 / 12, 1.0 / 3}};
-    scalar passed = 0;
-    for (const stage& s : stages)
+void Foam::staggeredFlow::step(const scalar dt)
+{
+    begin(dt);
+    for (label stage = 0; stage < nStages(); ++stage)
     {
-        passed += s.rest;
-        wallsAt(passed);
-        for (direction d = 0; d < 3; ++d)
-        {
-            (*increment_)[d] = force_[d];
-        }
-        predict(dt, s, *increment_, bodies_ && &s == stages);
-        project(s.rest * dt);
+        predict();
+        diffuse();
+        project();
     }
-    gradient_ /= dt;
+}
+
+Foam::staggeredFlow::snapshot Foam::staggeredFlow::save() const
+{
+    return {u_,        last_,   pressure_,   hasLast_, explicit_,
+            chosen_,   transforms_, lastDt_, walls_};
+}
+
+void Foam::staggeredFlow::restore(const snapshot& s)
+{
+    u_ = s.u;
+    last_ = s.last;
+    pressure_ = s.pressure;
+    hasLast_ = s.hasLast;
+    explicit_ = s.isExplicit;
+    chosen_ = s.chosen;
+    transforms_ = s.transforms;
+    lastDt_ = s.lastDt;
+    walls_ = s.walls;
+    wallsAhead_ = s.walls;
+    responseTo_ = -1;
 }
 
 Foam::scalar Foam::staggeredFlow::CourantNo(const scalar dt) const

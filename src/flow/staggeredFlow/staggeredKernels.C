@@ -22,7 +22,7 @@ void Foam::staggeredFlow::explicitTerms(const scalar dt, const stage& weight,
 
     // nu L u is among the explicit terms or among the others
     const scalar among = nuMax_ * (explicit_ ? 1 : 0);
-    const double now = weight.now, before = weight.before, rest = weight.rest;
+    const double now = weight.now, before = weight.before, rest = weight.others;
     const double vRest = rest * (nuMax_ - among);
     const double L0 = 1 / sqr(h.x()), L1 = 1 / sqr(h.y()), L2 = 1 / sqr(h.z());
     const double rD = 1 / h[D], rE = 1 / h[E], rG = 1 / h[G];
@@ -97,10 +97,8 @@ void Foam::staggeredFlow::explicitTerms(const scalar dt, const stage& weight,
     // The velocity on a wall stays
     if (block_.wallBelow(D))
     {
-        for (label i = 0; i < box_.count(); ++i)
-        {
-            if (box_.cell(i)[D] == 0) force[i] = last_[D][i] = 0;
-        }
+        box_.layer(D, 0,
+                   [&](const label i) { force[i] = last_[D][i] = 0; });
     }
 }
 
@@ -160,37 +158,56 @@ void Foam::staggeredFlow::holdMean(const direction c, scalar* increment,
     gradient_ += push;
 }
 
-// The increments of a stage without the implicit factors, as a share of those of
-// the whole step, predict the velocity at its end
-void Foam::staggeredFlow::askBodies(const scalar dt, const stage& s,
-                                    staggeredField& increment)
+void Foam::staggeredFlow::predict()
 {
-    const scalar number = nuMax_ * dt / std::pow(grid_.cellVolume(), 2.0 / 3);
-    const scalar kept = explicit_ ? 1 : implicitDiffusion::kept(number);
-    const scalar part = (explicit_ ? 1 : 0.7 * kept) / s.rest;
-    prediction p{
-        {velocity(), {increment, part}}, kept, {{s.rest * dt, &increment}}};
+    const stage& s = stages_[stage_];
+    const auto timing(effects_.time("momentum"));
 
-    // Later stages of RK3 have the force as well
-    if (RK3_) p.force.emplace_back(1, &force_);
-    bodies_(p);
+    scalar passed = 0;
+    for (label i = 0; i <= stage_; ++i)
+    {
+        passed += stages_[i].others;
+    }
+    for (direction d = 0; d < 3; ++d)
+    {
+        for (label side = 0; side < 2 && stages_.size() > 1; ++side)
+        {
+            wallsAhead_[d][side] = (1 - passed) * wallsBefore_[d][side] +
+                                   passed * wallsAfter_[d][side];
+        }
+        if (RK3_) (*increment_)[d] = force_[d];
+    }
+    updateVelocity();
+
+    // All increments are made from the velocity before: they wait until the last
+    // is done
+    makeIncrement<0>(stepDt_, s, increment()[0].data());
+    makeIncrement<1>(stepDt_, s, increment()[1].data());
+    makeIncrement<2>(stepDt_, s, increment()[2].data());
 }
 
-void Foam::staggeredFlow::predict(const scalar dt, const stage& s,
-                                  staggeredField& force, const bool ask)
+// The increments of a stage without the implicit factors, as a share of those of
+// the whole step, predict the velocity at its end
+Foam::velocityPrediction Foam::staggeredFlow::prediction()
 {
-    {
-        const auto timing(effects_.time("momentum"));
-        updateVelocity();
+    const scalar others = stages_[stage_].others;
+    const scalar fraction =
+        explicit_ ? 1
+                  : impulseFractionOf(grid_.diffusionNumber(nuMax_, stepDt_));
+    const scalar part = (explicit_ ? 1 : 0.7 * fraction) / others;
+    velocityPrediction p{{velocity(), {increment(), part}},
+                         fraction,
+                         {{others * stepDt_, &increment()}}};
 
-        // All increments are made from the velocity before: they wait until
-        // the last is done
-        makeIncrement<0>(dt, s, force[0].data());
-        makeIncrement<1>(dt, s, force[1].data());
-        makeIncrement<2>(dt, s, force[2].data());
-    }
-    if (ask) askBodies(dt, s, force);
+    // Later stages of RK3 have the force as well
+    if (RK3_) p.force.append({1, &force_});
+    return p;
+}
 
+void Foam::staggeredFlow::diffuse()
+{
+    const scalar dt = stages_[stage_].others * stepDt_;
+    staggeredField& increments = increment();
     if (!explicit_)
     {
         const auto timing(effects_.time("diffusion"));
@@ -204,16 +221,16 @@ void Foam::staggeredFlow::predict(const scalar dt, const stage& s,
         }
         for (direction d = 0; d < 3; ++d)
         {
-            implicit_[transforms_]->solve(d, force[d].data(),
-                                          0.5 * nuMax_ * s.rest * dt, change);
+            implicit_[transforms_]->solve(d, increments[d].data(),
+                                          0.5 * nuMax_ * dt, change);
         }
     }
     walls_ = wallsAhead_;
 
     const auto timing(effects_.time("momentum"));
-    if (held_)
+    if (holdsMean_)
     {
-        holdMean(heldComponent_, force[heldComponent_].data(), s.rest * dt);
+        holdMean(heldComponent_, increments[heldComponent_].data(), dt);
     }
 
     block_.rows(
@@ -222,7 +239,8 @@ void Foam::staggeredFlow::predict(const scalar dt, const stage& s,
             for (direction d = 0; d < 3; ++d)
             {
                 double* __restrict__ u = u_[d].data() + q;
-                const double* __restrict__ increment = force[d].cdata() + n;
+                const double* __restrict__ increment =
+                    increments[d].cdata() + n;
                 for (label i = 0; i < box_.size.x(); ++i)
                 {
                     u[i] += increment[i];
@@ -231,9 +249,10 @@ void Foam::staggeredFlow::predict(const scalar dt, const stage& s,
         });
 }
 
-void Foam::staggeredFlow::project(const scalar dt)
+void Foam::staggeredFlow::project()
 {
     const auto timing(effects_.time("pressure"));
+    const scalar dt = stages_[stage_].others * stepDt_;
     const label nx = box_.size.x();
     const vector& h = grid_.h();
     const scalar r0 = 1 / (dt * h.x()), r1 = 1 / (dt * h.y()),
@@ -284,4 +303,5 @@ void Foam::staggeredFlow::project(const scalar dt)
     {
         pressure_[q] += correction_[q];
     }
+    if (++stage_ == nStages()) gradient_ /= stepDt_;
 }

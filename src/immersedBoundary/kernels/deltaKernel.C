@@ -24,26 +24,8 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
                                      : min(max(x - offset, first - scalar(0.5)),
                                            last + scalar(0.5));
     const label nPoints = this->nPoints();
-    label lowest;
-    FixedList<scalar, 4>& weight = s.weight;
-    if (type_ == Roma3)
-    {
-        // The weights beside the middle one follow from unit sum and zero
-        // first moment
-        lowest = label(std::floor(position + 0.5)) - 1;
-        const scalar r = position - (lowest + 1);
-        weight[1] = phi(r);
-        weight[0] = 0.5 * (1 - weight[1] - r);
-        weight[2] = 0.5 * (1 - weight[1] + r);
-    }
-    else
-    {
-        lowest = label(std::ceil(position - reach()));
-        for (label k = 0; k < nPoints; ++k)
-        {
-            weight[k] = phi(position - (lowest + k));
-        }
-    }
+    const label lowest = weights(position, s.weight.data());
+    const FixedList<scalar, 4>& weight = s.weight;
 
     if (lowest >= (periodic ? 0 : first) &&
         lowest + nPoints - 1 <= (periodic ? n - 1 : last))

@@ -16,15 +16,22 @@ std::string column(const std::string& s, const int width)
 }
 } // namespace
 
-Foam::effectLedger::timer::~timer()
+void Foam::effectLedger::charge()
 {
-    if (effect_)
+    const auto now = std::chrono::steady_clock::now();
+    if (running_.size())
     {
-        const std::chrono::duration<double> used(
-            std::chrono::steady_clock::now() - start_);
-        effect_->seconds += used.count();
-        ++effect_->calls;
+        const std::chrono::duration<double> used(now - since_);
+        effects_[running_.last()].seconds += used.count();
     }
+    since_ = now;
+}
+
+void Foam::effectLedger::stop()
+{
+    charge();
+    ++effects_[running_.last()].calls;
+    running_.setSize(running_.size() - 1);
 }
 
 void Foam::effectLedger::declare(const word& name, const bool active,
@@ -48,13 +55,16 @@ void Foam::effectLedger::declare(const word& name, const bool active,
 
 Foam::effectLedger::timer Foam::effectLedger::time(const word& name)
 {
-    for (effect& e : effects_)
+    forAll(effects_, i)
     {
-        if (e.name == name && e.active) return timer(e);
+        if (effects_[i].name != name || !effects_[i].active) continue;
+        charge();
+        running_.append(i);
+        return timer(*this);
     }
     FatalErrorInFunction << "effect " << name << " was not declared active"
                          << exit(FatalError);
-    return timer(effects_[0]);
+    return timer(*this);
 }
 
 void Foam::effectLedger::printEffects() const

@@ -1,15 +1,23 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "pointPair.H"
+#include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
 #include "ListOps.H"
 
-Foam::pointPair::pointPair(const dictionary& dict, const vectorField& X,
-                           const scalarField& area)
-    : force_(Function1<scalar>::New("force", dict)),
-      direction_(dict.getOrDefault<vector>("direction", vector(1, 0, 0))),
-      share_(X.size(), Zero)
+namespace Foam
 {
+defineTypeNameAndDebug(pointPair, 0);
+addToRunTimeSelectionTable(bodyForce, pointPair, dictionary);
+} // namespace Foam
+
+Foam::pointPair::pointPair(const dictionary& dict, const bodyPoints& body)
+    : bodyForce(dict.get<word>("group")),
+      force_(Function1<scalar>::New("force", dict)),
+      direction_(dict.getOrDefault<vector>("direction", vector(1, 0, 0))),
+      share_(body.places.size(), Zero)
+{
+    needSurface(dict, body);
     checkEntries(dict, {"type", "group", "force", "direction", "patch"});
     if (!(mag(direction_) > 0))
     {
@@ -23,7 +31,8 @@ Foam::pointPair::pointPair(const dictionary& dict, const vectorField& X,
     }
 
     // Inwards from either end until the patch is full
-    const scalarField along(X & direction_);
+    const scalarField along(body.places & direction_);
+    const scalarField area(mag(body.areas));
     const labelList order(sortedOrder(along));
     const scalar wanted = patch * sum(area);
     for (const bool far : {false, true})
@@ -39,11 +48,8 @@ Foam::pointPair::pointPair(const dictionary& dict, const vectorField& X,
     }
 }
 
-void Foam::pointPair::add(vector* F, const scalar time) const
+void Foam::pointPair::add(const bodyPoints&, const scalar time,
+                          vectorField& F) const
 {
-    const vector force(force_->value(time) * direction_);
-    forAll(share_, k)
-    {
-        F[k] += share_[k] * force;
-    }
+    F += share_ * (force_->value(time) * direction_);
 }

@@ -1,16 +1,17 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-#include "filaments.H"
+#include "filamentGroup.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
-#include "Enum.H"
+#include "markerLine.H"
 #include "mathematicalConstants.H"
+#include "weight.H"
 #include <cmath>
 
 namespace Foam
 {
-defineTypeNameAndDebug(filaments, 0);
-addToRunTimeSelectionTable(bodyGroup, filaments, dictionary);
+defineTypeNameAndDebug(filamentGroup, 0);
+addToRunTimeSelectionTable(bodyGroup, filamentGroup, dictionary);
 
 static const Enum<filament::endType> endNames{
     {filament::FREE, "free"},
@@ -25,7 +26,7 @@ static const Enum<filament::schemeType> schemeNames{
 };
 } // namespace Foam
 
-Foam::filaments::filaments(const word& name, const dictionary& dict,
+Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
                            const bodyScene& scene)
     : bodyGroup(name, dict, scene)
 {
@@ -43,8 +44,9 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
     if (twoWay() && !dict.found("segments"))
     {
         properties_.segments =
-            max(label(3),
-                min(properties_.segments, label(properties_.length / h_)));
+            max(label(3), min(properties_.segments,
+                              // Eight cells are eight in all systems of units
+                              label(properties_.length / h_ * (1 + 1e-9))));
     }
     if (properties_.segments < 3 || properties_.segments > 10000)
     {
@@ -77,7 +79,7 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
     shearPlane_ = readShearPlane(dict);
 
     // Mass and weight. In two-way coupling the fluid in its place is solved
-    displaced_ = 0.25 * constant::mathematical::pi * sqr(diameter) * scene.rho;
+    crossSection_ = 0.25 * constant::mathematical::pi * sqr(diameter);
     const scalar ratio = dict.found("densityRatio")
                              ? readPositive(dict, "densityRatio", dimless)
                              : 1;
@@ -86,70 +88,24 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
         refuse(dict, "densityRatio", Foam::name(ratio),
                "1 and greater in two-way coupling");
     }
-    properties_.mass = (ratio - (twoWay() ? 1 : 0)) * displaced_;
-    if (readGravity(dict))
+    properties_.mass = (ratio - (twoWay() ? 1 : 0)) * crossSection_ * scene.rho;
+    const bool heavy = readGravity(dict);
+    if (heavy)
     {
-        weight_ = (ratio - (alone() ? 0 : 1)) * displaced_ * scene.g;
+        scene.forces.append(new weight(
+            name, (ratio - (alone() ? 0 : 1)) * scene.rho * scene.g));
     }
-    const word scheme(dict.getOrDefault<word>("scheme", "implicit"));
-    if (!schemeNames.found(scheme))
+    properties_.scheme =
+        readEnum(schemeNames, dict, "scheme", filament::IMPLICIT);
+    if (!alone() && properties_.scheme != filament::IMPLICIT)
     {
-        refuse(dict, "scheme", scheme, "(implicit twoStep twoStepCentred)");
+        refuse(dict, "scheme", schemeNames[properties_.scheme],
+               "implicit, or coupling none");
     }
-    properties_.scheme = schemeNames[scheme];
-    if (!alone() && scheme != "implicit")
-    {
-        refuse(dict, "scheme", scheme, "implicit, or coupling none");
-    }
-    thickness_ = twoWay() ? 2 * scene.kernel.lineRadius() * h_ : diameter;
+    thickness_ = twoWay() ? 2 * markerLine::radius(scene.kernel) * h_ : diameter;
     readCouplingEntries(dict);
 
-    const pointField positions(readPositions(dict));
-    const vectorField directions(dict.lookup("directions"));
-    if (directions.size() != positions.size())
-    {
-        refuse(dict, "directions", Foam::name(directions.size()) + " vectors",
-               "as many as positions, " + Foam::name(positions.size()));
-    }
-
-    const vector bow(dict.getOrDefault<vector>("bow", Zero));
-    if (mag(bow) > 0.3 * properties_.length)
-    {
-        refuse(dict, "bow", Foam::name(mag(bow)) + " m",
-               "up to 0.3 of the length");
-    }
-    filaments_.reserve(mine().size());
-    forAll(positions, body)
-    {
-        if (!(mag(directions[body]) > 0))
-        {
-            refuse(dict, "directions", "(0 0 0)", "directions");
-        }
-        // Held and straight, any tension would do
-        if (properties_.ends[0] != filament::FREE &&
-            properties_.ends[1] != filament::FREE &&
-            !(mag(bow ^ directions[body]) >
-              1e-6 * properties_.length * mag(directions[body])))
-        {
-            OStringStream given;
-            given << bow;
-            refuse(dict, "bow", given.str(),
-                   "a bow across the direction where both ends are held, as a "
-                   "straight filament could not move");
-        }
-
-        filament x(properties_,
-                   firstShape(positions[body], directions[body], bow));
-        x.clamp(0, directions[body]);
-        x.clamp(1, directions[body]);
-        checkFits(dict, x, body);
-        if (body % Pstream::nProcs() != Pstream::myProcNo()) continue;
-        filaments_.push_back({x, vectorField(points_.size(), Zero), x.places(),
-                              vectorField(markersEach()),
-                              vectorField(twoWay() ? markersEach() : 0, Zero),
-                              x.places()[movedEnd() * properties_.segments], 0,
-                              1});
-    }
+    readStart(dict);
 
     const scalar fraction = nBodies() * properties_.length * 0.25 *
                             constant::mathematical::pi * sqr(thickness_) /
@@ -159,13 +115,76 @@ Foam::filaments::filaments(const word& name, const dictionary& dict,
                                Foam::name(properties_.segments) +
                                " segments, " + ends[0] + " " + ends[1] +
                                ", volume fraction " + Foam::name(fraction));
-    scene_.effects.declare("gravity", weight_ != vector::zero,
-                           weight_ != vector::zero ? "weight of the filaments"
-                                                   : "none on the bodies");
+    scene_.effects.declare("gravity", heavy,
+                           heavy ? "weight of the filaments"
+                                 : "none on the bodies");
+}
+
+// Places, directions and shape at the start
+void Foam::filamentGroup::readStart(const dictionary& dict)
+{
+    positions_ = readPositions(dict);
+    directions_ = vectorField(dict.lookup("directions"));
+    if (directions_.size() != positions_.size())
+    {
+        refuse(dict, "directions", Foam::name(directions_.size()) + " vectors",
+               "as many as positions, " + Foam::name(positions_.size()));
+    }
+    bow_ = dict.getOrDefault<vector>("bow", Zero);
+    if (mag(bow_) > 0.3 * properties_.length)
+    {
+        refuse(dict, "bow", Foam::name(mag(bow_)) + " m",
+               "up to 0.3 of the length");
+    }
+    const bool heldAtBoth = properties_.ends[0] != filament::FREE &&
+                            properties_.ends[1] != filament::FREE;
+    for (const vector& t : directions_)
+    {
+        if (!(mag(t) > 0)) refuse(dict, "directions", "(0 0 0)", "directions");
+
+        // Held and straight, any tension would do
+        if (heldAtBoth &&
+            !(mag(bow_ ^ t) > 1e-6 * properties_.length * mag(t)))
+        {
+            OStringStream given;
+            given << bow_;
+            refuse(dict, "bow", given.str(),
+                   "a bow across the direction where both ends are held, as a "
+                   "straight filament could not move");
+        }
+    }
+}
+
+void Foam::filamentGroup::insertBody(const label i, const label number)
+{
+    filament x(properties_, firstShape(number));
+    x.clamp(0, directions_[number]);
+    x.clamp(1, directions_[number]);
+    bodies_.insert(
+        bodies_.begin() + i,
+        body{x, vectorField(points_.size(), Zero), x.places(),
+             vectorField(markersEach()),
+             vectorField(twoWay() ? markersEach() : 0, Zero),
+             x.places()[movedEnd() * properties_.segments], 0, 1});
+}
+
+void Foam::filamentGroup::eraseBody(const label i)
+{
+    bodies_.erase(bodies_.begin() + i);
+}
+
+Foam::point Foam::filamentGroup::initialCentre(const label number) const
+{
+    return average(firstShape(number));
+}
+
+Foam::point Foam::filamentGroup::centre(const label i) const
+{
+    return average(bodies_[i].line.places());
 }
 
 // What joins them to the fluid: drag, markers, thickness
-void Foam::filaments::readCouplingEntries(const dictionary& dict)
+void Foam::filamentGroup::readCouplingEntries(const dictionary& dict)
 {
     properties_.dragRatio = 1;
     if (dict.found("baseMotion"))
@@ -192,7 +211,7 @@ void Foam::filaments::readCouplingEntries(const dictionary& dict)
                               " at this length, for the drag of a slender "
                               "body");
     }
-    const scalar inset = twoWay() ? scene_.kernel.endInset() * h_ : 0;
+    const scalar inset = twoWay() ? markerLine::endInset(scene_.kernel) * h_ : 0;
     const bool limp = properties_.rigidity == 0 && properties_.mass == 0;
     if (twoWay() && limp)
     {
@@ -232,32 +251,31 @@ void Foam::filaments::readCouplingEntries(const dictionary& dict)
 }
 
 // Segments of equal length along the curve
-Foam::vectorField Foam::filaments::firstShape(const point& first,
-                                              const vector& direction,
-                                              const vector& bow) const
+Foam::vectorField Foam::filamentGroup::firstShape(const label number) const
 {
+    const vector t0(directions_[number] / mag(directions_[number]));
     const label N = properties_.segments;
-    vectorField X(N + 1, first);
+    vectorField X(N + 1, positions_[number]);
     for (label i = 1; i <= N; ++i)
     {
         const scalar s = constant::mathematical::pi * (i - 0.5) / N;
-        vector t(direction / mag(direction) + constant::mathematical::pi /
-                                                  properties_.length *
-                                                  std::cos(s) * bow);
+        vector t(t0 + constant::mathematical::pi / properties_.length *
+                          std::cos(s) * bow_);
         t /= mag(t);
         X[i] = X[i - 1] + properties_.ds() * t;
     }
     return X;
 }
 
-void Foam::filaments::checkFits(const dictionary& dict, const filament& x,
-                                const label body) const
+void Foam::filamentGroup::checkStart(const label i,
+                                     const dictionary& dict) const
 {
-    checkWalls(dict, body, boundBox(x.places(), false));
+    const label number = mine()[i];
+    checkWalls(dict, number, boundBox(bodies_[i].line.places(), false));
     const vector L(scene_.grid.length());
     for (direction d = 0; d < 3; ++d)
     {
-        if (body == 0 && scene_.grid.periodic(d) &&
+        if (number == 0 && scene_.grid.periodic(d) &&
             properties_.length > 0.5 * L[d])
         {
             IOWarningInFunction(dict)

@@ -1,18 +1,19 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-#include "capsules.H"
+#include "capsuleGroup.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
 #include "initialShape.H"
+#include "weight.H"
 #include <cmath>
 
 namespace Foam
 {
-defineTypeNameAndDebug(capsules, 0);
-addToRunTimeSelectionTable(bodyGroup, capsules, dictionary);
+defineTypeNameAndDebug(capsuleGroup, 0);
+addToRunTimeSelectionTable(bodyGroup, capsuleGroup, dictionary);
 } // namespace Foam
 
-Foam::capsules::capsules(const word& name, const dictionary& dict,
+Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                          const bodyScene& scene)
     : bodyGroup(name, dict, scene)
 {
@@ -61,7 +62,14 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
     if (heavy)
     {
         const scalar ratio = readPositive(dict, "densityRatio", dimless);
-        weight_ = (ratio - 1) * scene.rho * scene.g;
+        if (!twoWay())
+        {
+            refuse(dict, "gravity", "on",
+                   "off with coupling oneWay: a capsule that the fluid does "
+                   "not feel is carried, whatever its weight");
+        }
+        scene.forces.append(
+            new weight(name, (ratio - 1) * scene.rho * scene.g));
     }
 
     // The first shape, about the origin, from values on a dense grid
@@ -166,26 +174,7 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
             << constant::mathematical::pi * radius_ / degree << endl;
     }
 
-    const pointField positions(readPositions(dict));
-    forAll(positions, bodyi)
-    {
-        // The harmonic of degree 0 is 1/sqrt(4 pi)
-        numbers x(initial);
-        for (direction d = 0; d < 3; ++d)
-        {
-            x[d] +=
-                positions[bodyi][d] * std::sqrt(4 * constant::mathematical::pi);
-        }
-        checkFits(dict, bodyi, x);
-        if (mine().found(bodyi))
-        {
-            capsule c;
-            c.x = c.xMid = x;
-            c.velocity.assign(x.size(), 0);
-            if (penalty_) c.lag = c.lagBefore = c.velocity;
-            capsules_.push_back(c);
-        }
-    }
+    positions_ = readPositions(dict);
 
     scene_.effects.declare("membrane", true,
                            dict.subDict("membrane").get<word>("law") +
@@ -197,14 +186,49 @@ Foam::capsules::capsules(const word& name, const dictionary& dict,
                            bending_
                                ? "modulus " + Foam::name(bending_->modulus())
                                : string("no bending modulus given"));
-    scene_.effects.declare("gravity", weight_ != vector::zero,
-                           weight_ != vector::zero ? "weight of the filling"
-                                                   : "none on the bodies");
+    scene_.effects.declare("gravity", heavy,
+                           heavy ? "weight of the filling"
+                                 : "none on the bodies");
 }
 
-void Foam::capsules::checkFits(const dictionary& dict, const label body,
-                               const numbers& x) const
+void Foam::capsuleGroup::insertBody(const label i, const label body)
 {
+    // The harmonic of degree 0 is 1/sqrt(4 pi)
+    capsule c;
+    c.x = initial_;
+    for (direction d = 0; d < 3; ++d)
+    {
+        c.x[d] +=
+            positions_[body][d] * std::sqrt(4 * constant::mathematical::pi);
+    }
+    c.xMid = c.x;
+    c.velocity.assign(c.x.size(), 0);
+    if (penalty_) c.lag = c.lagBefore = c.velocity;
+    capsules_.insert(capsules_.begin() + i, c);
+}
+
+void Foam::capsuleGroup::eraseBody(const label i)
+{
+    capsules_.erase(capsules_.begin() + i);
+}
+
+Foam::point Foam::capsuleGroup::initialCentre(const label body) const
+{
+    return positions_[body] + vector(initial_[0], initial_[1], initial_[2]) /
+                                  std::sqrt(4 * constant::mathematical::pi);
+}
+
+Foam::point Foam::capsuleGroup::centre(const label i) const
+{
+    const numbers& x = capsules_[i].x;
+    return vector(x[0], x[1], x[2]) /
+           std::sqrt(4 * constant::mathematical::pi);
+}
+
+void Foam::capsuleGroup::checkStart(const label i, const dictionary& dict) const
+{
+    const label body = mine()[i];
+    const numbers& x = capsules_[i].x;
     vectorField points(markerGrid_->nPoints());
     atMarkers(x, points.data(), 1);
     const boundBox bounds(points, false);
@@ -223,12 +247,12 @@ void Foam::capsules::checkFits(const dictionary& dict, const label body,
     checkWalls(dict, body, bounds);
 }
 
-Foam::label Foam::capsules::nMarkers() const
+Foam::label Foam::capsuleGroup::nMarkers() const
 {
     return label(capsules_.size()) * markerGrid_->nPoints();
 }
 
-void Foam::capsules::atMarkers(const numbers& coeffs, vector* v,
+void Foam::capsuleGroup::atMarkers(const numbers& coeffs, vector* v,
                                const scalar factor) const
 {
     const label n = markerGrid_->nPoints();
@@ -240,7 +264,7 @@ void Foam::capsules::atMarkers(const numbers& coeffs, vector* v,
     }
 }
 
-void Foam::capsules::markers(vector* X, scalar)
+void Foam::capsuleGroup::markers(vector* X, scalar)
 {
     for (const capsule& c : capsules_)
     {
@@ -249,7 +273,7 @@ void Foam::capsules::markers(vector* X, scalar)
     }
 }
 
-void Foam::capsules::areas(const numbers& coeffs, vector* dS) const
+void Foam::capsuleGroup::areas(const numbers& coeffs, vector* dS) const
 {
     const label n = markerGrid_->nPoints();
     numbers t(3 * n), p(3 * n);
@@ -262,7 +286,7 @@ void Foam::capsules::areas(const numbers& coeffs, vector* dS) const
     }
 }
 
-void Foam::capsules::areas(vector* dS) const
+void Foam::capsuleGroup::areas(vector* dS) const
 {
     for (const capsule& c : capsules_)
     {
@@ -271,12 +295,12 @@ void Foam::capsules::areas(vector* dS) const
     }
 }
 
-Foam::scalar Foam::capsules::volume() const
+Foam::scalar Foam::capsuleGroup::volume() const
 {
     return capsules_.size() * referenceVolume_;
 }
 
-void Foam::capsules::load(const numbers& x, numbers& q) const
+void Foam::capsuleGroup::load(const numbers& x, numbers& q) const
 {
     membrane_->load(x.data(), q.data());
     if (bending_)
@@ -286,38 +310,34 @@ void Foam::capsules::load(const numbers& x, numbers& q) const
     }
 }
 
-void Foam::capsules::addWeight(const capsule& c, const vector* X,
-                               vector* F) const
+Foam::bodyPoints Foam::capsuleGroup::pointsOf(const label body,
+                                              const numbers& x,
+                                              const numbers& velocity) const
 {
-    const auto timing(scene_.effects.time("gravity"));
     const label n = markerGrid_->nPoints();
-    vectorField dS(n);
-    areas(c.xMid, dS.data());
-    const vector centre(average(UList<vector>(const_cast<vector*>(X), n)));
-    for (label k = 0; k < n; ++k)
-    {
-        F[k] += (weight_ & (X[k] - centre)) * dS[k];
-    }
+    bodyPoints p{name(),         body, vectorField(n),
+                 vectorField(n), vectorField(n), scalarField(),
+                 0,              membrane_->model().shearModulus()};
+    atMarkers(x, p.places.data(), 1);
+    atMarkers(velocity, p.velocities.data(), 1);
+    areas(x, p.areas.data());
+    return p;
 }
 
-void Foam::capsules::addLoad(const word&, const dictionary& dict)
+Foam::bodyPoints Foam::capsuleGroup::points(const label i) const
 {
-    const word type(dict.get<word>("type"));
-    if (type != "pointPair") refuse(dict, "type", type, "(pointPair)");
-
-    const label n = markerGrid_->nPoints();
-    vectorField X(n), dS(n);
-    atMarkers(initial_, X.data(), 1);
-    areas(initial_, dS.data());
-    pairs_.append(new pointPair(dict, X, mag(dS)));
+    if (i < 0) return pointsOf(-1, initial_, numbers(initial_.size(), 0));
+    return pointsOf(mine()[i], capsules_[i].xMid, capsules_[i].velocity);
 }
 
-void Foam::capsules::loads(vector* X, vector* F, const scalar time)
+void Foam::capsuleGroup::loads(vector* X, vector* F, const scalar time)
 {
     const auto timing(scene_.effects.time("membrane"));
     const label n = markerGrid_->nPoints();
-    for (const capsule& c : capsules_)
+    const bool pushed = scene_.forces.actOn(name());
+    forAll(mine(), i)
     {
+        const capsule& c = capsules_[i];
         atMarkers(c.xMid, X, 1);
         if (penalty_)
             coeffs_ = c.load;
@@ -328,10 +348,14 @@ void Foam::capsules::loads(vector* X, vector* F, const scalar time)
         {
             F[k] *= markerGrid_->weight(k);
         }
-        if (weight_ != vector::zero) addWeight(c, X, F);
-        for (const pointPair& pair : pairs_)
+        if (pushed)
         {
-            pair.add(F, time);
+            const vectorField more(
+                scene_.forces.on(points(i), time, scene_.effects));
+            for (label k = 0; k < n; ++k)
+            {
+                F[k] += more[k];
+            }
         }
         X += n;
         F += n;

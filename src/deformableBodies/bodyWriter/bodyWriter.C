@@ -1,48 +1,36 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// Samples, pictures and restart files of the bodies, written by the first rank
-
-#include "bodyCollection.H"
+#include "bodyWriter.H"
 #include "foamVtkSeriesWriter.H"
 #include "foamVtkSurfaceWriter.H"
 #include "OSspecific.H"
-#include "IFstream.H"
 #include <fstream>
 #include <iomanip>
 #include <sstream>
 
-template<class Type, class Get>
-Foam::List<Type> Foam::bodyCollection::collect(const bodyGroup& group, Get get)
+Foam::bodyWriter::bodyWriter(const Time& time,
+                             const PtrList<bodyGroup>& groups,
+                             effectLedger& effects)
+    : time_(time),
+      groups_(groups),
+      effects_(effects),
+      startTime_(time.value()),
+      startIndex_(time.timeIndex())
 {
-    List<List<Type>> all(Pstream::nProcs());
-    List<Type>& own = all[Pstream::myProcNo()];
-    own.setSize(group.mine().size());
-    forAll(own, i)
-    {
-        own[i] = get(i);
-    }
-    Pstream::gatherList(all);
-
-    List<Type> ordered;
-    if (Pstream::master())
-    {
-        ordered.setSize(group.nBodies());
-        for (label body = 0; body < group.nBodies(); ++body)
-        {
-            ordered[body] =
-                all[body % Pstream::nProcs()][body / Pstream::nProcs()];
-        }
-    }
-    return ordered;
 }
 
-void Foam::bodyCollection::sample(const scalar now)
+void Foam::bodyWriter::start()
 {
-    const Time& time = mesh_.time();
+    sample(startTime_);
+    draw(startTime_, startIndex_);
+}
+
+void Foam::bodyWriter::sample(const scalar now)
+{
     if (Pstream::master() && files_.empty())
     {
-        const fileName dir(time.globalPath() / "postProcessing" / "bodies" /
-                           Time::timeName(time.startTime().value()));
+        const fileName dir(time_.globalPath() / "postProcessing" / "bodies" /
+                           Time::timeName(time_.startTime().value()));
         mkDir(dir);
         files_.setSize(groups_.size());
         forAll(groups_, g)
@@ -60,7 +48,7 @@ void Foam::bodyCollection::sample(const scalar now)
     forAll(groups_, g)
     {
         const bodyGroup& group = groups_[g];
-        const List<scalarList> rows(collect<scalarList>(
+        const List<scalarList> rows(inOrder<scalarList>(
             group, [&](const label i) { return group.sample(i); }));
         forAll(rows, body)
         {
@@ -115,16 +103,16 @@ static void polygonsToLines(const Foam::fileName& file)
     std::ofstream(file) << s;
 }
 
-void Foam::bodyCollection::draw(const scalar now, const label timeIndex) const
+void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
 {
-    const fileName dir(mesh_.time().globalPath() / "VTK" / "bodies");
+    const fileName dir(time_.globalPath() / "VTK" / "bodies");
 
     forAll(groups_, g)
     {
         const bodyGroup& group = groups_[g];
         bodySurface layout;
         const List<List<scalarField>> bodies(
-            collect<List<scalarField>>(group,
+            inOrder<List<scalarField>>(group,
                                        [&](const label i)
                                        {
                                            layout = group.surface(i);
@@ -204,95 +192,3 @@ void Foam::bodyCollection::draw(const scalar now, const label timeIndex) const
     }
 }
 
-bool Foam::bodyCollection::writeData(Ostream& os) const
-{
-    // 17 digits carry a double exactly; the file is text whatever writeFormat
-    std::ostringstream text;
-    text << std::setprecision(17);
-    forAll(groups_, g)
-    {
-        const bodyGroup& group = groups_[g];
-        const List<scalarList> states(collect<scalarList>(
-            group, [&](const label i) { return group.state(i); }));
-        text << group.name() << "\n(\n";
-        for (const scalarList& s : states)
-        {
-            text << '(';
-            for (const scalar x : s)
-            {
-                text << x << ' ';
-            }
-            text << ")\n";
-        }
-        text << ");\n";
-    }
-    if (diverged_) text << "diverged true;\n";
-    if (Pstream::master()) os << text.str().c_str();
-
-    draw(mesh_.time().value(), mesh_.time().timeIndex());
-    effects_.write();
-    return os.good();
-}
-
-void Foam::bodyCollection::readState()
-{
-    const Time& time = mesh_.time();
-
-    // The first rank's directory, or that of the undecomposed case
-    fileName file(time.timePath() / "uniform" / "deformableBodies");
-    if (!isFile(file))
-    {
-        file = time.globalPath() / time.timeName() / "uniform" /
-               "deformableBodies";
-    }
-    dictionary saved;
-    bool found = false;
-    if (Pstream::master() && isFile(file))
-    {
-        IFstream is(file);
-        saved = dictionary(is);
-        found = true;
-    }
-    Pstream::scatter(found);
-    if (!found)
-    {
-        if (time.value() > 0)
-        {
-            WarningInFunction
-                << "no saved bodies (uniform/deformableBodies) for time "
-                << time.timeName()
-                << ": they start from constant/deformableBodies" << endl;
-        }
-        return;
-    }
-    Info << "Bodies continue from " << file << nl;
-
-    // All ranks need the dictionary, for their checks and messages
-    Pstream::scatter(saved);
-    saved.name() = file;
-    if (saved.getOrDefault<bool>("diverged", false))
-    {
-        FatalIOErrorInFunction(saved)
-            << "this state was written because a body diverged" << nl
-            << "    allowed: an earlier time to start from"
-            << exit(FatalIOError);
-    }
-
-    forAll(groups_, g)
-    {
-        bodyGroup& group = groups_[g];
-        const List<scalarList> states(
-            saved.get<List<scalarList>>(group.name()));
-        if (states.size() != group.nBodies())
-        {
-            FatalIOErrorInFunction(saved)
-                << states.size() << " bodies in group " << group.name()
-                << " where constant/deformableBodies has " << group.nBodies()
-                << exit(FatalIOError);
-        }
-        forAll(group.mine(), i)
-        {
-            group.setState(i, states[group.mine()[i]], saved);
-        }
-    }
-}

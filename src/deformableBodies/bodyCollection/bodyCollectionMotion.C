@@ -1,0 +1,261 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+// A time step of the bodies: markers, motion, forces on the fluid
+
+#include "bodyCollection.H"
+
+void Foam::bodyCollection::advance(const surfaceScalarField& phi)
+{
+    const Time& time = mesh_.time();
+    if (lastMoved_ == time.timeIndex()) return;
+
+    staggeredField faces(grid_.box());
+    if (!empty())
+    {
+        // The velocity lies where the force will: directly forced bodies, which
+        // have no prediction here, need it longer
+        const labelList direct(groupsThat(true));
+        grid_.toStaggered(phi, faces);
+        const scalar dt = time.deltaTValue();
+        staggeredField u(direct.size() ? faces : staggeredField(cellBox()));
+        moveWithVelocity(faces, faces);
+        if (direct.size() && !diverged_)
+        {
+            place(direct, dt);
+            {
+                const auto timing(effects_.time("interpolation"));
+                markers_->interpolate({u}, U_);
+            }
+            // Diffusion in a solver of which no more is known
+            move(direct, false,
+                 impulseFractionOf(grid_.diffusionNumber(nu_, dt)));
+            collectLoads(direct);
+            spread(faces);
+        }
+        if (diverged_) stop();
+    }
+    else
+    {
+        moveWithVelocity(faces, faces);
+    }
+    if (!forceFlux_.valid())
+    {
+        forceFlux_.reset(new surfaceScalarField(
+            IOobject("bodyForceFlux", time.timeName(), mesh_), mesh_,
+            dimensionedScalar(dimAcceleration * dimArea, Zero)));
+        forceFlux_->setOriented();
+    }
+    if (!empty()) grid_.toFlux(faces, *forceFlux_);
+    sample();
+}
+
+void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
+                                            staggeredField& force)
+{
+    const Time& time = mesh_.time();
+    if (lastMoved_ < 0) start();
+    lastMoved_ = time.timeIndex();
+    if (empty())
+    {
+        force.clear();
+        return;
+    }
+
+    ownership_->migrate(groups_);
+    const labelList groups(groupsThat(false));
+    if (sampleDue()) observe(u);
+    if (!alone_ && groups.size())
+    {
+        place(groups, 0);
+        const auto timing(effects_.time("interpolation"));
+        markers_->interpolate({u}, U_);
+    }
+    if (contrast_) updateViscosity(groups, force);
+    move(groups, false, 1);
+
+    force.clear();
+    const vectorField X(collectLoads(groups));
+    if (returnReduce(X.size(), maxOp<label>()))
+    {
+        const auto timing(effects_.time("spreading"));
+        markers_->place(X);
+        spread(force);
+    }
+}
+
+void Foam::bodyCollection::moveWithPrediction(const velocityPrediction& p)
+{
+    const labelList groups(groupsThat(true));
+    if (groups.empty()) return;
+
+    // The force of the last step, where the markers are now
+    place(groups, mesh_.time().deltaTValue());
+    collectLoads(groups);
+    const vectorField before(F_);
+    const auto addForces = [&]()
+    {
+        for (const auto& field : p.force)
+        {
+            spread(*field.second(), field.first());
+        }
+    };
+    addForces();
+    {
+        const auto timing(effects_.time("interpolation"));
+        markers_->interpolate(p.u, U_);
+    }
+    move(groups, true, p.impulseFraction);
+
+    // And what it has changed by
+    collectLoads(groups);
+    F_ -= before;
+    addForces();
+}
+
+Foam::labelList Foam::bodyCollection::groupsThat(const bool direct) const
+{
+    DynamicList<label> which;
+    forAll(groups_, g)
+    {
+        if (groups_[g].directForcing() == direct) which.append(g);
+    }
+    return labelList(std::move(which));
+}
+
+Foam::label Foam::bodyCollection::nMarkers(const labelList& groups) const
+{
+    label n = 0;
+    for (const label g : groups)
+    {
+        n += groups_[g].nMarkers();
+    }
+    return n;
+}
+
+void Foam::bodyCollection::place(const labelList& groups, const scalar dt)
+{
+    const auto timing(effects_.time("interpolation"));
+    vectorField X(nMarkers(groups));
+    labelList line(X.size(), -1);
+    label at = 0, firstLine = 0;
+    bool anyLines = false;
+    for (const label g : groups)
+    {
+        bodyGroup& group = groups_[g];
+        const label n = group.nMarkers();
+        group.markers(X.data() + at, dt);
+        if (group.directForcing())
+        {
+            anyLines = true;
+            group.lines(line.data() + at);
+            for (label k = at; k < at + n; ++k)
+            {
+                if (line[k] >= 0) line[k] += firstLine;
+            }
+            firstLine += group.nBodies();
+        }
+        at += n;
+    }
+    markers_->place(X);
+    if (anyLines) markers_->lineDensity(line, lineDensity_);
+}
+
+void Foam::bodyCollection::observe(const staggeredView& u)
+{
+    forAll(groups_, g)
+    {
+        bodyGroup& group = groups_[g];
+        if (!group.directForcing()) continue;
+        const auto timing(effects_.time("interpolation"));
+        vectorField X(group.nMarkers());
+        group.markers(X.data(), 0);
+        markers_->place(X);
+        markers_->interpolate({u}, U_);
+        group.observe(U_.cdata());
+    }
+}
+
+void Foam::bodyCollection::move(const labelList& groups, const bool predicted,
+                                const scalar impulseFraction)
+{
+    const Time& time = mesh_.time();
+    const bodyStep step{time.value(), time.deltaTValue(), predicted,
+                        impulseFraction};
+    const vector* U = U_.cdata();
+    const scalar* lineDensity = lineDensity_.cdata();
+    for (const label g : groups)
+    {
+        const string trouble(groups_[g].move(U, lineDensity, step));
+        if (trouble_.empty()) trouble_ = trouble;
+        U += groups_[g].nMarkers();
+        lineDensity += groups_[g].nMarkers();
+    }
+    diverged_ = diverged_ || returnReduce(!trouble_.empty(), orOp<bool>());
+}
+
+Foam::vectorField Foam::bodyCollection::collectLoads(const labelList& groups)
+{
+    DynamicList<label> acting;
+    for (const label g : groups)
+    {
+        if (groups_[g].twoWay()) acting.append(g);
+    }
+    vectorField X(nMarkers(acting));
+    F_.setSize(X.size());
+    const scalar middle =
+        mesh_.time().value() - 0.5 * mesh_.time().deltaTValue();
+    label at = 0;
+    for (const label g : acting)
+    {
+        groups_[g].loads(X.data() + at, F_.data() + at, middle);
+        at += groups_[g].nMarkers();
+    }
+    return X;
+}
+
+void Foam::bodyCollection::spread(staggeredField& force, const scalar factor)
+{
+    const auto timing(effects_.time("spreading"));
+    markers_->spread(vectorField(factor / rho_ * F_), force);
+    if (periodicBox()) removeMean(force, factor);
+}
+
+void Foam::bodyCollection::updateViscosity(const labelList& groups,
+                                           staggeredField& work)
+{
+    const auto timing(effects_.time("viscosityRatio"));
+    scalar excess = 0;
+    vectorField G(nMarkers(groups), Zero);
+    label at = 0;
+    for (const label g : groups)
+    {
+        const bodyGroup& group = groups_[g];
+        const label n = group.nMarkers();
+        const scalar more = group.viscosityRatio() - 1;
+        if (more != 0 && group.twoWay())
+        {
+            SubField<vector> dS(G, n, at);
+            group.areas(dS.data());
+            dS *= -more;
+            excess += more * group.volume();
+        }
+        at += n;
+    }
+    contrast_->update(*markers_, G, excess, work);
+}
+
+bool Foam::bodyCollection::periodicBox() const
+{
+    return grid_.periodic(0) && grid_.periodic(1) && grid_.periodic(2);
+}
+
+void Foam::bodyCollection::removeMean(staggeredField& force,
+                                      const scalar factor) const
+{
+    const vector L(grid_.length());
+    const vector mean(factor / rho_ * gSum(F_) / (L.x() * L.y() * L.z()));
+    for (direction d = 0; d < 3; ++d)
+    {
+        force[d] -= mean[d];
+    }
+}

@@ -1,0 +1,38 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "bodyForce.H"
+#include "dictionaryChecks.H"
+
+namespace Foam
+{
+defineTypeNameAndDebug(bodyForce, 0);
+defineRunTimeSelectionTable(bodyForce, dictionary);
+} // namespace Foam
+
+Foam::autoPtr<Foam::bodyForce> Foam::bodyForce::New(const dictionary& dict,
+                                                    const bodyPoints& body)
+{
+    const word type(dict.get<word>("type"));
+    auto cstr = dictionaryConstructorTablePtr_->cfind(type);
+    if (!cstr.found())
+    {
+        OStringStream allowed;
+        allowed << flatOutput(dictionaryConstructorTablePtr_->sortedToc());
+        refuse(dict, "type", type, allowed.str());
+    }
+    return cstr()(dict, body);
+}
+
+void Foam::bodyForce::needSurface(const dictionary& dict,
+                                  const bodyPoints& body)
+{
+    if (body.isSurface()) return;
+    refuse(dict, "type", dict.get<word>("type"),
+           "(deadLoad followerLoad) on filaments");
+}
+
+void Foam::bodyForce::needLine(const dictionary& dict, const bodyPoints& body)
+{
+    if (!body.isSurface()) return;
+    refuse(dict, "type", dict.get<word>("type"), "(pointPair) on capsules");
+}

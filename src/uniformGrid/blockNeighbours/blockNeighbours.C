@@ -1,0 +1,181 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "blockNeighbours.H"
+#include "indexExchange.H"
+#include <algorithm>
+
+namespace
+{
+using namespace Foam;
+
+//- Layers between cell i and the cells lo ... lo + size - 1 of a direction of n
+label layersBetween(const label i, const label lo, const label size,
+                    const label n, const bool periodic)
+{
+    const label below = lo - i, above = i - (lo + size - 1);
+    const label away = max(max(below, above), label(0));
+    if (!periodic || away == 0) return away;
+    return below > 0 ? min(below, i + n - (lo + size - 1))
+                     : min(above, lo + n - i);
+}
+} // namespace
+
+Foam::blockNeighbours::blockNeighbours(const uniformGrid& grid)
+    : grid_(grid),
+      boxes_(grid.allBoxes())
+{
+    widen(2);
+}
+
+void Foam::blockNeighbours::widen(const label reach)
+{
+    reach_ = reach;
+    tables_.clear();
+    const cellBox& mine = grid_.box();
+    DynamicList<label> ranks;
+    forAll(boxes_, proci)
+    {
+        bool within = true;
+        for (direction d = 0; d < 3; ++d)
+        {
+            // Between two blocks: from the nearer end of the one to the other
+            const cellBox& b = boxes_[proci];
+            const auto between = [&](const label i)
+            {
+                return layersBetween(i, b.lo[d], b.size[d], grid_.n()[d],
+                                     grid_.periodic(d));
+            };
+            const label last = mine.lo[d] + mine.size[d] - 1;
+            const bool overlap = b.lo[d] <= last &&
+                                 mine.lo[d] <= b.lo[d] + b.size[d] - 1;
+            within = within && (overlap || min(between(mine.lo[d]),
+                                               between(last)) <= reach);
+        }
+        if (proci == Pstream::myProcNo()) me_ = ranks.size();
+        if (proci == Pstream::myProcNo() ||
+            (within && mine.count() && boxes_[proci].count()))
+        {
+            ranks.append(proci);
+        }
+    }
+    ranks_.transfer(ranks);
+    nWords_ = (ranks_.size() + 63) / 64;
+
+    for (direction d = 0; d < 3; ++d)
+    {
+        away_[d].setSize(grid_.n()[d]);
+        forAll(away_[d], i)
+        {
+            away_[d][i] = layersBetween(i, mine.lo[d], mine.size[d],
+                                        grid_.n()[d], grid_.periodic(d));
+        }
+    }
+}
+
+void Foam::blockNeighbours::cover(const UList<vector>& X, const label margin)
+{
+    if (!Pstream::parRun()) return;
+    label away = 0;
+    for (const vector& x : X)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            away = max(away, away_[d][grid_.cellAt(x[d], d)]);
+        }
+    }
+    reduce(away, maxOp<label>());
+    if (away + margin > reach_) widen(max(away + margin, label(1.25 * reach_)));
+}
+
+const Foam::blockNeighbours::table&
+Foam::blockNeighbours::near(const label margin) const
+{
+    const auto made = tables_.find(margin);
+    if (made != tables_.end()) return made->second;
+
+    table& t = tables_[margin];
+    for (direction d = 0; d < 3; ++d)
+    {
+        const label n = grid_.n()[d];
+        t[d].assign(n * nWords_, 0);
+        forAll(ranks_, r)
+        {
+            const cellBox& b = boxes_[ranks_[r]];
+            if (!b.count()) continue;
+            for (label i = 0; i < n; ++i)
+            {
+                if (layersBetween(i, b.lo[d], b.size[d], n,
+                                  grid_.periodic(d)) <= margin)
+                {
+                    t[d][i * nWords_ + r / 64] |= uint64_t(1) << (r % 64);
+                }
+            }
+        }
+    }
+    return t;
+}
+
+Foam::label Foam::blockNeighbours::holderOfAll(const vector& x) const
+{
+    const labelVector cell(grid_.cellAt(x.x(), 0), grid_.cellAt(x.y(), 1),
+                           grid_.cellAt(x.z(), 2));
+    forAll(boxes_, proci)
+    {
+        if (boxes_[proci].contains(cell)) return proci;
+    }
+    return 0;
+}
+
+void Foam::blockNeighbours::exchange(const List<scalarField>& out,
+                                     List<scalarField>& in,
+                                     const bool sized) const
+{
+    // One message to and from each neighbour: n(i) scalars or numbers at to(i)
+    // and from(i); none where there are none
+    const auto pass = [&](auto outSize, auto outData, auto inSize, auto inData)
+    {
+        const label pending = Pstream::nRequests();
+        forAll(ranks_, i)
+        {
+            if (i != me_ && inSize(i))
+            {
+                UIPstream::read(Pstream::commsTypes::nonBlocking, ranks_[i],
+                                inData(i), inSize(i));
+            }
+        }
+        forAll(ranks_, i)
+        {
+            if (i != me_ && outSize(i))
+            {
+                UOPstream::write(Pstream::commsTypes::nonBlocking, ranks_[i],
+                                 outData(i), outSize(i));
+                indexExchange::count(outSize(i));
+            }
+        }
+        Pstream::waitRequests(pending);
+    };
+
+    in.setSize(ranks_.size());
+    if (!sized)
+    {
+        labelList outSizes(ranks_.size()), inSizes(ranks_.size(), Zero);
+        forAll(out, i)
+        {
+            outSizes[i] = out[i].size();
+        }
+        const auto one = [](label) { return std::streamsize(sizeof(label)); };
+        pass(
+            one, [&](label i)
+            { return reinterpret_cast<const char*>(&outSizes[i]); },
+            one,
+            [&](label i) { return reinterpret_cast<char*>(&inSizes[i]); });
+        forAll(in, i)
+        {
+            in[i].setSize(inSizes[i]);
+        }
+    }
+    pass([&](label i) { return std::streamsize(out[i].size() * sizeof(scalar)); },
+         [&](label i) { return reinterpret_cast<const char*>(out[i].cdata()); },
+         [&](label i) { return std::streamsize(in[i].size() * sizeof(scalar)); },
+         [&](label i) { return reinterpret_cast<char*>(in[i].data()); });
+}
