@@ -6,6 +6,10 @@ runs=$DEFORMABLE_BODIES_DIR/tests/run
 passed=0
 failed=0
 
+# A line for each change of a file that could not be made: subshells cannot count
+lost=$(mktemp) || exit 1
+trap 'rm -f "$lost"' EXIT
+
 # check "what" command...: one test, passed if the command succeeds
 check()
 {
@@ -32,9 +36,100 @@ below()
 # The last line of every test script: what was counted, and the exit status
 finish()
 {
+    failed=$((failed + $(wc -l < "$lost")))
     echo "$passed passed, $failed failed"
     [ "$failed" -eq 0 ]
     exit
+}
+
+# notChanged "what": a failure, since what follows would test something else
+notChanged()
+{
+    echo "FAIL: $1 (in $PWD)" 1>&2
+    echo >> "$lost"
+}
+
+# entry <file> <entry> <value> [<entry> <value>]...
+# entry -add <file> <entry> <value> [<entry> <value>]...
+# entry -remove <file> <entry>...
+# Changes entries that the dictionary has, adds some that it has not, or removes
+# some: name, or bodies/cells/harmonics in sub-dictionaries, or solvers/U.*/tolerance
+# (without the quotes of the key). #include, #eval and $variables stay as they are,
+# comments are lost.
+entry()
+{
+    local action=-set file name parent keys has value
+    case $1 in -add | -remove) action=$1; shift ;; esac
+    file=$1
+    shift
+    while [ $# -gt 0 ]
+    do
+        name=$1 parent='' value=() has=no
+        shift
+        [[ $name != */* ]] || parent=${name%/*}
+        if [ $action != -remove ]
+        then
+            value=("$1")
+            shift
+        fi
+        # foamDictionary sets what is not there, removes what is not there, and
+        # drops what follows the end of an entry, all with status 0
+        if ! keys=$(dictionary "$file" ${parent:+-entry "$parent"} -keywords)
+        then
+            notChanged "$file has no dictionary ${parent:-that can be read}"
+            continue
+        fi
+        ! grep -qxF -e "${name##*/}" -e "\"${name##*/}\"" <<< "$keys" || has=yes
+        if [ $action = -add ] && [ $has = yes ]
+        then
+            notChanged "$file already has an entry $name"
+        elif [ $action != -add ] && [ $has = no ]
+        then
+            notChanged "$file has no entry $name"
+        elif [[ ${value[0]-} == *';'* && ! ${value[0]} =~ ^[[:space:]]*\{.*\}$ ]] ||
+            ! dictionary "$file" -entry "$name" $action "${value[@]}" > /dev/null
+        then
+            notChanged "$file: $name does not take $action ${value[*]}"
+        fi
+    done
+}
+
+# dictionary <file> <options of foamDictionary>: all digits of the numbers are kept
+dictionary()
+{
+    foamDictionary "$1" -disableFunctionEntries -precision 17 "${@:2}" 2> /dev/null
+}
+
+# replace <file> <script of sed>...: text that is no entry, such as the dictionaries
+# in lists. Each script must change something
+replace()
+{
+    local file=$1 script
+    shift
+    for script
+    do
+        sed "$script" "$file" > "$file.replaced"
+        if cmp -s "$file" "$file.replaced"
+        then
+            notChanged "$file has nothing that $script would change"
+        fi
+        mv "$file.replaced" "$file"
+    done
+}
+
+# googleTests <command>...: its output, and its tests counted with those of this
+# script
+googleTests()
+{
+    local log=$PWD/log.googleTests status ran
+    GTEST_COLOR=no "$@" 2>&1 | tee "$log"
+    status=${PIPESTATUS[0]}
+    ran=$(sed -n 's/.*PASSED.* \([0-9]*\) tests\?\..*/\1/p' "$log" | tail -n 1)
+    passed=$((passed + ${ran:-0}))
+    if [ "${ran:-0}" = 0 ] && [ "$status" -eq 0 ]; then status=1; fi
+    ran=$(grep -c 'FAILED.*ms)' "$log")
+    [ "$status" -eq 0 ] || [ "$ran" -gt 0 ] || ran=1
+    failed=$((failed + ran))
 }
 
 # relative <a> <b>: difference, relative to b
@@ -62,26 +157,26 @@ shearCase()
         mkdir "$dir" && cp -r 0.orig constant system "$dir")
     cd "$dir" || return 1
     rm -rf constant/polyMesh
-    set -- cells 24 dt 0.01 endTime 0.2 "$@"
-    while [ $# -gt 0 ]
-    do
-        sed -i "s/^$1 .*/$1 $2;/" constant/scene
-        shift 2
-    done
-    sed -i 's/^writeInterval.*/writeInterval 0.1;/' system/controlDict
+    entry constant/scene cells 24 dt 0.01 endTime 0.2 "$@"
+    entry system/controlDict writeInterval 0.1
     # Runs are compared to round-off: iterate well beyond what physics needs
-    sed -i 's/tolerance  *1e-[789];/tolerance 1e-13;/' system/fvSolution
-    sed -i "s/^PIMPLE$/PIMPLE { flowAlgorithm ${FLOW:-auto}; } PIMPLE/" \
-        system/fvSolution
+    tolerances 1e-13
+    entry -add system/fvSolution PIMPLE/flowAlgorithm "${FLOW:-auto}"
     cp -r 0.orig 0
     blockMesh > log.blockMesh 2>&1 && setExprFields > log.setExprFields 2>&1
+}
+
+# tolerances <value>: of all linear solvers of the case in here
+tolerances()
+{
+    entry system/fvSolution solvers/p/tolerance "$1" \
+        solvers/pFinal/tolerance "$1" 'solvers/U.*/tolerance' "$1"
 }
 
 # parallel <n> "(nx ny nz)" <command>: decomposed copy of the case in here
 parallel()
 {
-    sed -i "s/^numberOf.*/numberOfSubdomains $1;/; s/^ *n  *(.*/    n $2;/" \
-        system/decomposeParDict
+    entry system/decomposeParDict numberOfSubdomains "$1" simpleCoeffs/n "$2"
     decomposePar -force > log.decomposePar 2>&1 &&
         mpi -np "$1" "$3" -parallel > "log.$3" 2>&1
 }
@@ -120,11 +215,7 @@ sceneCase()
     cp -r "$DEFORMABLE_BODIES_DIR/tutorials/$scene"/{0.orig,constant,system} "$dir"
     cd "$dir" || return 1
     rm -rf constant/polyMesh
-    while [ $# -gt 0 ]
-    do
-        sed -i "s/^$1 .*/$1 $2;/" constant/scene
-        shift 2
-    done
+    [ $# -eq 0 ] || entry constant/scene "$@"
     cp -r 0.orig 0
     blockMesh > log.blockMesh 2>&1
     [ ! -e system/setExprFieldsDict ] || setExprFields > log.setExprFields 2>&1
@@ -143,9 +234,9 @@ PY
 # The shear case in here, periodic all round and at rest
 makePeriodic()
 {
-    sed -i 's/bottom { type wall;/bottom { type cyclic; neighbourPatch top;/
-        s/top    { type wall;/top { type cyclic; neighbourPatch bottom;/' \
-        system/blockMeshDict
+    replace system/blockMeshDict \
+        's/bottom { type wall;/bottom { type cyclic; neighbourPatch top;/' \
+        's/top    { type wall;/top { type cyclic; neighbourPatch bottom;/'
     blockMesh > log.blockMesh 2>&1 || return 1
     cat > 0/U <<'U'
 FoamFile { version 2.0; format ascii; class volVectorField; object U; }
@@ -153,6 +244,10 @@ dimensions [0 1 -1 0 0 0 0];
 internalField uniform (0 0 0);
 boundaryField { ".*" { type cyclic; } }
 U
-    sed 's/volVectorField/volScalarField/; s/object U/object p/
-        s/1 -1 0/2 -2 0/; s/(0 0 0)/0/' 0/U > 0/p
+    cat > 0/p <<'P'
+FoamFile { version 2.0; format ascii; class volScalarField; object p; }
+dimensions [0 2 -2 0 0 0 0];
+internalField uniform 0;
+boundaryField { ".*" { type cyclic; } }
+P
 }
