@@ -121,31 +121,6 @@ TEST_P(ImmersedBoundary, conservesForce)
                       mag(total - gSum(F)) / gSum(mag(F)), 1e-12);
 }
 
-TEST_P(ImmersedBoundary, losesNoForceBesideWalls)
-{
-    scalar worst = 0;
-    for (scalar e = 1; e > 1e-9; e /= 4)
-    {
-        for (const scalar sign : {1.0, -1.0})
-        {
-            kernelStencil s;
-            for (const scalar offset : {0.0, 0.5})
-            {
-                boundary.kernel().stencil(sign * e, offset, offset == 0, 9, 10,
-                                          false, s);
-                scalar sum = 0;
-                for (label k = 0; k < s.size; ++k)
-                {
-                    sum += s.weight[k];
-                }
-                worst = max(worst, mag(sum - 1));
-            }
-        }
-    }
-    test::expectBelow("sum of weights - 1, from a cell off to past the wall",
-                      worst, 1e-14);
-}
-
 TEST_P(ImmersedBoundary, interpolatesLinearFieldsExactly)
 {
     // Linear where the box is not periodic, so that walls are tested too. Left

@@ -1,51 +1,13 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// Forcings of homogeneous turbulence: divergence-free, steady in the mean, of
-// the strength asked for, repeatable
+// Divergence-free, steady in the mean, of the strength asked for, repeatable
 
-#include "EswaranPopeForcing.H"
-#include "testBox.H"
+#include "testForcing.H"
 
 using namespace Foam;
+using namespace test;
 
-namespace
-{
-dictionary entries(const char* text)
-{
-    IStringStream is(text);
-    return dictionary(is);
-}
-
-const char* const stirring = "type EswaranPopeForcing; acceleration 2; "
-                             "timeScale 0.5; maxWaveNumber 2; seed 3;";
-
-autoPtr<fv::option> make(const test::box& b, const char* text)
-{
-    return fv::option::New("stirring", entries(text), b.mesh());
-}
-
-staggeredField forceOf(fv::option& o, const test::box& b)
-{
-    staggeredField f(uniformGrid::New(b.mesh()).box());
-    refCast<fv::lowModeForcing>(o).addTo(f);
-    return f;
-}
-
-std::string refusal(const test::box& b, const char* text)
-{
-    try
-    {
-        make(b, text);
-    }
-    catch (const Foam::IOerror& e)
-    {
-        return e.message();
-    }
-    return "";
-}
-} // namespace
-
-TEST(Forcing, stochasticForceIsSteadyAndSolenoidal)
+TEST(EswaranPopeForcing, stochasticForceIsSteadyAndSolenoidal)
 {
     const scalar twoPi = constant::mathematical::twoPi;
     test::box b(labelVector(16, 16, 16), vector(twoPi, twoPi, twoPi),
@@ -99,39 +61,7 @@ TEST(Forcing, stochasticForceIsSteadyAndSolenoidal)
     time.setDeltaT(1, false);
 }
 
-TEST(Forcing, evaluatedAtTheStaggeredPoints)
-{
-    // The partial sums against the series, point by point
-    test::box b(labelVector(8, 6, 10), vector(1, 2, 3),
-                FixedList<bool, 3>(false), 1);
-    auto o = make(b, stirring);
-    const auto& forcing = refCast<fv::lowModeForcing>(*o);
-    const staggeredField f(forceOf(*o, b));
-    const uniformGrid& grid = uniformGrid::New(b.mesh());
-    scalar worst = 0;
-    for (label i = 0; i < f.box().count(); ++i)
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            vector x(f.box().cell(i));
-            for (direction e = 0; e < 3; ++e)
-            {
-                x[e] = (x[e] + (e == d ? 0 : 0.5)) * grid.h()[e];
-            }
-            scalar sum = 0;
-            for (const auto& m : forcing.modes())
-            {
-                sum += std::real(m.c[d] *
-                                 std::polar(1.0, forcing.waveVector(m.m) & x));
-            }
-            worst = max(worst, mag(sum - f[d][i]));
-        }
-    }
-    test::expectBelow("force at the staggered points against the series", worst,
-                      1e-13);
-}
-
-TEST(Forcing, repeatsBySeed)
+TEST(EswaranPopeForcing, repeatsBySeed)
 {
     test::box b(labelVector(8, 8, 8), vector(1, 1, 1),
                 FixedList<bool, 3>(false), 1);
@@ -143,7 +73,7 @@ TEST(Forcing, repeatsBySeed)
               0.1);
 }
 
-TEST(Forcing, refusesWrongInput)
+TEST(EswaranPopeForcing, refusesWrongInput)
 {
     const FixedList<bool, 3> open(false);
     test::box cube(labelVector(4, 4, 4), vector(1, 1, 1), open, 1);

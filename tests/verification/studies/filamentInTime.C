@@ -137,7 +137,7 @@ schemeRun runScheme(const schemeScene& s, const filament::schemeType scheme,
 // The three schemes: largest error of the tip at 40 times against a small step of
 // the implicit one, the error of the lengths, and what they take. Two of second
 // order, the thesis' of first
-TEST(Filament, schemes)
+TEST(FilamentOrders, schemes)
 {
     const char* names[3] = {"implicit", "twoStep", "twoStepCentred"};
     for (const schemeScene& s : schemeScenes())
@@ -187,40 +187,8 @@ TEST(Filament, schemes)
     }
 }
 
-// Swing of the tip (root of its mean square) in the last two of 20 periods over
-// that in the first two, released straight at 0.05 pi. Higher modes beat in it,
-// so that it may exceed 1; what the step takes is seen beside a smaller one
-TEST(Filament, keepsItsAmplitude)
-{
-    const scalar angle = 0.05 * constant::mathematical::pi;
-    const scalar period = 1.62;
-    const auto kept = [&](const filament::schemeType scheme, const scalar dt)
-    {
-        auto p = make(32, 0.01, filament::HINGED, filament::FREE);
-        p.scheme = scheme;
-        filament x(p, Zero, vector(-std::cos(angle), std::sin(angle), 0));
-        scalar early = 0, late = 0;
-        run(x, dt, label(20 * period / dt), vector(-10, 0, 0),
-            [&](const filament& f, const scalar t)
-            {
-                const scalar y2 = sqr(f.places()[32].y());
-                if (t < 2 * period) early += y2;
-                if (t > 18 * period) late += y2;
-            });
-        return std::sqrt(late / early);
-    };
-    const scalar right = kept(filament::IMPLICIT, 5e-4);
-    const scalar implicit = kept(filament::IMPLICIT, 2e-3);
-    std::printf(
-        "    kept at dt = 2e-3: %.4f, twoStep %.4f, twoStepCentred %.4f\n",
-        implicit, kept(filament::TWO_STEP, 2e-3),
-        kept(filament::TWO_STEP_CENTRED, 2e-3));
-    test::expectBelow("lost to the step", 1 - implicit / right, 0.04);
-    EXPECT_GE(implicit, 0.96);
-}
-
 // Steps of varying size: still of second order
-TEST(Filament, variableSteps)
+TEST(FilamentOrders, variableSteps)
 {
     const schemeScene s(schemeScenes()[1]);
     const auto tip = [&](const scalar dt, const scalar wobble)
@@ -240,61 +208,4 @@ TEST(Filament, variableSteps)
                  fine = mag(tip(2e-3, 0.5) - right);
     std::printf("    steps that vary by 3: errors %.1e, %.1e\n", coarse, fine);
     test::expectBelow("order, off 2", mag(std::log2(coarse / fine) - 2), 0.2);
-}
-
-// A base that accelerates is as good as gravity
-TEST(Filament, baseMotion)
-{
-    const schemeScene s(schemeScenes()[0]);
-    const label N = s.p.segments;
-    filament hanging(s.p, s.nodes), pulled(s.p, s.nodes);
-    const vectorField none(N + 1, Zero);
-    const auto heavy(around(hanging, s.force, scalarField(N + 1, Zero), none));
-    const auto light(around(pulled, none, scalarField(N + 1, Zero), none));
-    const scalar dt = 1e-3;
-    scalar worst = 0;
-    for (label n = 1; n <= 500; ++n)
-    {
-        const vector base(-0.5 * sqr(n * dt) * s.force[0]);
-        pulled.moveEnd(0, base);
-        ASSERT_TRUE(hanging.step(dt, heavy) && pulled.step(dt, light));
-        EXPECT_LT(mag(pulled.places()[0] - base), 1e-14);
-        worst =
-            max(worst, mag(pulled.places()[N] - base - hanging.places()[N]));
-    }
-    test::expectBelow("tip against the same under gravity [lengths]", worst,
-                      5e-3);
-}
-
-// Run by tests/bench/filament: the largest of 0.1, 0.05, 0.025 ... sqrt(L/g) at
-// which 30 of these from straight and horizontal end without damage
-TEST(Filament, DISABLED_largestSteps)
-{
-    const char* names[3] = {"implicit", "twoStep", "twoStepCentred"};
-    for (int k = 0; k < 3; ++k)
-    {
-        std::printf("    %-15s", names[k]);
-        for (const scalar rigidity : {0.0, 0.01, 1.0, 100.0, 1e4})
-        {
-            auto p = make(32, rigidity, filament::HINGED, filament::FREE);
-            p.scheme = filament::schemeType(k);
-            const vectorField f(33, vector(-1, 0, 0)), U(33, Zero);
-            scalar dt = 0.2;
-            bool good = false;
-            while (!good && dt > 1e-4)
-            {
-                dt /= 2;
-                filament x(p, Zero, vector(0, 1, 0));
-                const auto all(around(x, f, scalarField(33, Zero), U));
-                good = true;
-                for (label n = 0; good && n < label(30 / dt); ++n)
-                {
-                    good = x.step(dt, all) && x.lengthError() < 0.01 &&
-                           x.kineticEnergy() < 0.6;
-                }
-            }
-            std::printf("  B* = %g: %.1e", rigidity, good ? dt : 0.0);
-        }
-        std::printf("\n");
-    }
 }

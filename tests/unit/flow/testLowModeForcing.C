@@ -1,0 +1,38 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "testForcing.H"
+
+using namespace Foam;
+using namespace test;
+
+TEST(LowModeForcing, evaluatedAtTheStaggeredPoints)
+{
+    // The partial sums against the series, point by point
+    test::box b(labelVector(8, 6, 10), vector(1, 2, 3),
+                FixedList<bool, 3>(false), 1);
+    auto o = make(b, stirring);
+    const auto& forcing = refCast<fv::lowModeForcing>(*o);
+    const staggeredField f(forceOf(*o, b));
+    const uniformGrid& grid = uniformGrid::New(b.mesh());
+    scalar worst = 0;
+    for (label i = 0; i < f.box().count(); ++i)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            vector x(f.box().cell(i));
+            for (direction e = 0; e < 3; ++e)
+            {
+                x[e] = (x[e] + (e == d ? 0 : 0.5)) * grid.h()[e];
+            }
+            scalar sum = 0;
+            for (const auto& m : forcing.modes())
+            {
+                sum += std::real(m.c[d] *
+                                 std::polar(1.0, forcing.waveVector(m.m) & x));
+            }
+            worst = max(worst, mag(sum - f[d][i]));
+        }
+    }
+    test::expectBelow("force at the staggered points against the series", worst,
+                      1e-13);
+}

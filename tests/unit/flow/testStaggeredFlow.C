@@ -1,0 +1,277 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+// The flow engine against exact solutions and against itself: what must be
+// conserved, what must stay stable. Orders: tests/verification/studies
+
+#include "testFlow.H"
+#include <cmath>
+#include <cstdlib>
+#include <new>
+
+// Counts what the program allocates
+static long allocations = 0;
+
+void* operator new(const std::size_t n)
+{
+    ++allocations;
+    if (void* p = std::malloc(n)) return p;
+    throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept
+{
+    std::free(p);
+}
+void operator delete(void* p, std::size_t) noexcept
+{
+    std::free(p);
+}
+
+using namespace Foam;
+using namespace test;
+
+TEST(StaggeredFlow, stableAtLargeViscousSteps)
+{
+    const label n = 16;
+    test::box b(labelVector(n, n, n), vector(1, 1, 1), wallsInY, 1);
+    b.start([](const vector& x)
+            { return vector(test::noise(x), 0, test::noise(x, 7)); });
+    const scalar dt = 10.0 / sqr(scalar(n));
+    for (const char* diffusion : {"diffusion ADI;", "diffusion FFT;"})
+    {
+        const flowRun o(run(b, diffusion, 200 * dt, 200));
+        staggeredField zero(o.u.box());
+        test::expectBelow(
+            std::string("noise after 200 steps of nu dt/h^2 = 10, ") +
+                diffusion,
+            difference(o.u, zero), 1e-2);
+    }
+}
+
+TEST(StaggeredFlow, PoiseuilleErrsByTheKnownAmount)
+{
+    // Steady between walls at y = 0, 1: g y (1 - y)/(2 nu), plus g h^2/(8 nu)
+    // from the mirrored velocity beyond the walls
+    const label n = 12;
+    const scalar nu = 0.7, g = 3, h = 1.0 / n;
+    for (const char* diffusion : {"diffusion ADI;", "diffusion FFT;"})
+    {
+        test::box b(labelVector(4, n, 4), vector(4.0 / n, 1, 4.0 / n), wallsInY,
+                    nu);
+        const flowRun o(run(b, diffusion, 40, 1500, 0,
+                            [&](staggeredField& f) { f[0] = g; }));
+        test::expectBelow(
+            std::string("Poiseuille, g h^2/(8 nu) taken off, ") + diffusion,
+            errorOf(o.u, b,
+                    [&](const vector& x)
+                    {
+                        return vector(g / (2 * nu) * x.y() * (1 - x.y()) +
+                                          g * h * h / (8 * nu),
+                                      0, 0);
+                    }),
+            1e-13);
+    }
+}
+
+TEST(StaggeredFlow, flowRateIsHeld)
+{
+    const label n = 16;
+    const scalar nu = 0.01, h = 1.0 / n;
+    for (const char* controls : {"diffusion ADI;", "diffusion explicit;",
+                                 "timeScheme RK3; diffusion ADI;"})
+    {
+        test::box b(labelVector(8, n, 8), vector(1, 1, 1), wallsInY, nu);
+        b.start([](const vector& x)
+                { return vector(1 + 0.1 * std::sin(2 * pi * x.z()), 0, 0); });
+        auto flow = b.flow(controls);
+        flow->hold(0, 1);
+        const scalar dt = 0.05 * h * h / nu;
+        scalar worst = 0;
+        for (label i = 0; i < 8000; ++i)
+        {
+            flow->force().clear();
+            flow->step(dt);
+            worst = max(worst, mag(average(velocityOf(*flow, b)[0]) - 1));
+        }
+        test::expectBelow(std::string("mean velocity held, ") + controls, worst,
+                          1e-13);
+
+        // From the discrete profile, g h^2/(8 nu) included, summed over cells
+        const scalar g = 12 * nu / (1 + 2 * sqr(h));
+        test::expectBelow("    pressure gradient against plane Poiseuille flow",
+                          mag(flow->meanGradient() / g - 1), 1e-10);
+    }
+}
+
+TEST(StaggeredFlow, StokesModeHasNoConvection)
+{
+    // Every solenoidal wave decays by its own rate, whatever its amplitude
+    const scalar nu = 1, h = 2 * pi / 16;
+    const scalar rate = nu * 2 * (2 - 2 * std::cos(h)) / sqr(h);
+    const auto start = [](const vector& x)
+    {
+        return 1e3 * vector(std::cos(x.x()) * std::sin(x.y()),
+                            -std::sin(x.x()) * std::cos(x.y()), 0);
+    };
+    test::box b(labelVector(16, 16, 4), vector(2 * pi, 2 * pi, 1), periodic,
+                nu);
+    b.start(start);
+    const flowRun o(run(b, "convection off;", 1, 400));
+    test::expectBelow("Stokes mode, decay of a large vortex",
+                      errorOf(o.u, b,
+                              [&](const vector& x)
+                              { return std::exp(-rate) * start(x); }) /
+                          1e3,
+                      1e-5);
+}
+
+TEST(StaggeredFlow, layersOfTwoViscosities)
+{
+    // Shear across two layers: lower half nu = 1, upper half nu = ratio. Steady:
+    // the stress is continuous
+    const label n = 16;
+    for (const scalar ratio : {0.1, 0.5, 2.0, 10.0, 100.0})
+    {
+        test::box b(labelVector(4, n, 4), vector(4.0 / n, 1, 4.0 / n), wallsInY,
+                    1);
+        b.moveWalls(Zero, vector(1, 0, 0));
+        forAll(*b.nu, i)
+        {
+            (*b.nu)[i] = b.mesh().C()[i].y() < 0.5 ? 1 : ratio;
+        }
+        const scalar shear = 2 * ratio / (1 + ratio); // of the lower layer
+        const auto exact = [&](const vector& x)
+        {
+            return vector(x.y() < 0.5 ? shear * x.y()
+                                      : 1 - shear / ratio * (1 - x.y()),
+                          0, 0);
+        };
+        const scalar largest = max(ratio, scalar(1));
+        for (const scalar number : {0.5, 10.0, 200.0})
+        {
+            // Long enough for diffusion, for the split part, which converges
+            // like (1 - nu/nu_max)^(steps/2), and for Crank-Nicolson, which
+            // keeps (1 - h^2/(nu dt))^steps of a wave of length 2 h
+            const scalar dt = number / sqr(scalar(n)) / largest;
+            const scalar rest = 1 - min(ratio, 1 / ratio);
+            const label steps = label(3 / min(ratio, scalar(1)) / dt) +
+                                label(-60 / std::log(rest)) +
+                                label(30 * number);
+            char what[100];
+            std::snprintf(what, sizeof(what),
+                          "layers 1 : %g, nu_max dt/h^2 %g, steady error",
+                          ratio, number);
+            test::expectBelow(
+                what,
+                errorOf(run(b, "diffusion ADI;", steps * dt, steps).u, b,
+                        exact),
+                1e-9);
+        }
+    }
+}
+
+TEST(StaggeredFlow, dropOfOtherViscosity)
+{
+    const label n = 16;
+    for (const scalar ratio : {0.1, 10.0, 100.0})
+    {
+        const scalar largest = max(ratio, scalar(1));
+        char what[100];
+        for (const scalar number : {1.0, 10.0})
+        {
+            const auto noiseAfter = [&](const label steps)
+            {
+                auto b = drop(n, ratio);
+                b->start(
+                    [](const vector& x)
+                    { return vector(test::noise(x), 0, test::noise(x, 7)); });
+                const flowRun o(run(*b, "diffusion ADI;",
+                                    steps * number / sqr(scalar(n)) / largest,
+                                    steps));
+                return difference(o.u, staggeredField(o.u.box()));
+            };
+            const scalar before = noiseAfter(400), after = noiseAfter(1600);
+            std::snprintf(
+                what, sizeof(what),
+                "    noise kept from step 400 to 1600, viscosity ratio "
+                "%g, nu_max dt/h^2 = %g, of %.1e",
+                ratio, number, before);
+            test::expectBelow(what, after / before, 0.7);
+        }
+    }
+}
+
+TEST(StaggeredFlow, wallsMustMoveAsOne)
+{
+    test::box b(labelVector(4, 4, 4), vector(1, 1, 1), wallsInY, 1);
+    b.moveWalls(Zero, vector(1, 0, 2));
+    EXPECT_EQ(staggeredFlow::unsupported(*b.U, *b.p), "");
+    b.U->boundaryFieldRef()[3][5] = Zero;
+    EXPECT_EQ(staggeredFlow::unsupported(*b.U, *b.p),
+              "the velocity of a wall must be uniform, and it is not on the "
+              "upper side in y");
+    b.moveWalls(vector(0, 0.1, 0), Zero);
+    EXPECT_EQ(staggeredFlow::unsupported(*b.U, *b.p),
+              "the velocity of a wall must be tangential, and it is not on the "
+              "lower side in y");
+
+    // A wall that goes wrong on the way
+    b.moveWalls(Zero, Zero);
+    auto flow = b.flow("");
+    flow->wallsMove();
+    flow->step(0.001);
+    b.U->boundaryFieldRef()[3][5] = vector(1, 0, 0);
+    EXPECT_THROW(flow->step(0.001), Foam::IOerror);
+}
+
+TEST(StaggeredFlow, stepAllocatesNothing)
+{
+    for (const char* controls : {"diffusion explicit;", "diffusion ADI;",
+                                 "diffusion FFT;", "timeScheme RK3;"})
+    {
+        test::box b(labelVector(8, 8, 8), vector(1, 1, 1), wallsInY, 1e-3);
+        auto flow = b.flow(controls);
+        flow->hold(0, 1);
+        flow->step(0.01);
+        const long before = allocations;
+        for (label i = 0; i < 3; ++i)
+        {
+            flow->force().clear();
+            flow->step(0.01);
+        }
+        test::expectBelow(std::string("allocations in three steps, ") +
+                              controls,
+                          allocations - before, 0);
+        flow->fill();
+        EXPECT_GT(allocations, before) << "allocations are not counted";
+    }
+}
+
+TEST(StaggeredFlow, refusesWrongInput)
+{
+    const auto message = [](const scalar nu, const char* controls,
+                            const FixedList<bool, 3>& walls)
+    {
+        test::box b(labelVector(4, 4, 4), vector(1, 1, 1), walls, nu);
+        try
+        {
+            b.flow(controls)->step(1);
+        }
+        catch (const Foam::IOerror& e)
+        {
+            return std::string(e.message());
+        }
+        return std::string();
+    };
+    const auto expectIn = [](const std::string& all, const char* part) {
+        EXPECT_NE(all.find(part), std::string::npos)
+            << all << " lacks " << part;
+    };
+
+    expectIn(message(0.01, "timeScheme RK4;", wallsInY), "AB2 RK3");
+    expectIn(message(0.01, "diffusion implicit;", wallsInY),
+             "auto ADI FFT explicit");
+    expectIn(message(1, "diffusion explicit;", wallsInY),
+             "explicit diffusion is unstable above");
+    expectIn(message(1, "diffusion FFT;", FixedList<bool, 3>(true)),
+             "where two directions have walls");
+}
