@@ -1,0 +1,57 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "lineSolver.H"
+#include "testWaves.H"
+
+using namespace Foam;
+using namespace test;
+
+TEST(LineSolver, solvesForWaves)
+{
+    if (!lineSolver::aligned(grid())) return; // it asks for this
+    const cellBox& box = grid().box();
+    scalar worst = 0;
+    for (direction d = 0; d < 3; ++d)
+    {
+        for (const bool faces : {false, true})
+        {
+            const auto sides(conditions(3, faces ? d : -1));
+            const waves w(sides);
+            lineSolver solver(grid(), d, faces);
+            for (const scalar beta : {0.01, 1.0, 100.0})
+            {
+                scalarField exact(box.count()), x(box.count());
+                forAll(exact, i)
+                {
+                    exact[i] = w.at(box.cell(i));
+                }
+                x = (1 + beta * w.along[d].eigenvalue()) * exact;
+                solver.solve(x.data(), beta);
+                worst = max(worst, gMax(mag(x - exact)));
+            }
+        }
+    }
+    // Round-off times 1 + 4 beta
+    test::expectBelow("lines of a wave, error", worst, 1e-12);
+}
+
+TEST(LineSolver, keepsLinearProfilesBetweenWalls)
+{
+    if (!lineSolver::aligned(grid())) return;
+    const cellBox& box = grid().box();
+    scalar worst = 0;
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (grid().periodic(d)) continue;
+        lineSolver solver(grid(), d, false);
+        scalarField exact(box.count()), x;
+        forAll(exact, i)
+        {
+            exact[i] = -1 + 3 * (box.cell(i)[d] + 0.5) / grid().n()[d];
+        }
+        x = exact;
+        solver.solve(x.data(), 10, -1, 2);
+        worst = max(worst, gMax(mag(x - exact)));
+    }
+    test::expectBelow("linear profile, change", worst, 1e-13);
+}
