@@ -51,10 +51,12 @@ TEST(ViscosityContrast, levelsVolumeAndRange)
         }
     }
 
-    const immersedBoundary boundary(grid, deltaKernel(deltaKernel::Roma3));
+    blockNeighbours neighbours(grid);
+    markerSet markers(grid, deltaKernel(deltaKernel::Roma3), neighbours);
+    markers.place(X);
     const viscosityContrast contrast(mesh, 2, scalarList({5, 0.5}));
     staggeredField work(grid.box());
-    contrast.update(boundary, X, G, excess, work);
+    contrast.update(markers, G, excess, work);
 
     scalar inside = 0, outside = 0, sum = 0;
     forAll(nu, celli)

@@ -2,7 +2,7 @@
 
 #include "unitTest.H"
 #include "dictionary.H"
-#include "immersedBoundary.H"
+#include "markerSet.H"
 
 using namespace Foam;
 
@@ -77,14 +77,14 @@ void fill(staggeredField& u, Function f)
 }
 } // namespace
 
-class ImmersedBoundary
-    : public ::testing::TestWithParam<deltaKernel::kernelType>
+class MarkerSet : public ::testing::TestWithParam<deltaKernel::kernelType>
 {
 protected:
-    immersedBoundary boundary{grid(), deltaKernel(GetParam())};
+    blockNeighbours neighbours{grid()};
+    markerSet markers{grid(), deltaKernel(GetParam()), neighbours};
 };
 
-TEST_P(ImmersedBoundary, interpolationIsTheAdjointOfSpreading)
+TEST_P(MarkerSet, interpolationIsTheAdjointOfSpreading)
 {
     const vectorField X(randomMarkers(500)), F(randomVectors(500, 11));
     staggeredField u(grid().box()), f(grid().box());
@@ -92,8 +92,9 @@ TEST_P(ImmersedBoundary, interpolationIsTheAdjointOfSpreading)
          [](const point& p, const direction d) { return test::noise(p, d); });
 
     vectorField U;
-    boundary.interpolate(X, {u}, U);
-    boundary.spread(X, F, f);
+    markers.place(X);
+    markers.interpolate({u}, U);
+    markers.spread(F, f);
 
     scalar onMarkers = gSum(F & U), size = gSum(mag(F) * mag(U));
     scalar onGrid = 0;
@@ -106,11 +107,12 @@ TEST_P(ImmersedBoundary, interpolationIsTheAdjointOfSpreading)
                       mag(onMarkers - onGrid) / size, 1e-13);
 }
 
-TEST_P(ImmersedBoundary, conservesForce)
+TEST_P(MarkerSet, conservesForce)
 {
     const vectorField X(randomMarkers(500)), F(randomVectors(500, 5));
     staggeredField f(grid().box());
-    boundary.spread(X, F, f);
+    markers.place(X);
+    markers.spread(F, f);
     vector total(Zero);
     for (direction d = 0; d < 3; ++d)
     {
@@ -121,7 +123,7 @@ TEST_P(ImmersedBoundary, conservesForce)
                       mag(total - gSum(F)) / gSum(mag(F)), 1e-12);
 }
 
-TEST_P(ImmersedBoundary, interpolatesLinearFieldsExactly)
+TEST_P(MarkerSet, interpolatesLinearFieldsExactly)
 {
     // Linear where the box is not periodic, so that walls are tested too. Left
     // out: components normal to a wall within a cell of it, which see a single
@@ -136,7 +138,8 @@ TEST_P(ImmersedBoundary, interpolatesLinearFieldsExactly)
     fill(u, [&](const point& p, const direction d)
          { return 0.3 + (d + 1) * (slope & p); });
     vectorField U;
-    boundary.interpolate(X, {u}, U);
+    markers.place(X);
+    markers.interpolate({u}, U);
 
     scalar error = 0;
     forAll(X, k)
@@ -154,7 +157,56 @@ TEST_P(ImmersedBoundary, interpolatesLinearFieldsExactly)
                       returnReduce(error, maxOp<scalar>()), 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(kernels, ImmersedBoundary,
+// Lines of 7 markers a cell apart, anywhere
+TEST_P(MarkerSet, countsLinesInOnePlace)
+{
+    Random random(3);
+    for (const label n : {1, 2, 5})
+    {
+        // n lines on each other on the first rank, at a place that all ranks know,
+        // and one of another rank across them
+        const bool first = Pstream::master();
+        const bool last = Pstream::myProcNo() == Pstream::nProcs() - 1;
+        vector start(random.sample01<vector>());
+        start = grid().origin() + cmptMultiply(start, grid().length());
+        const label each = 7, middle = 3;
+        vectorField X((first ? n * each : 0) + (last ? each : 0));
+        labelList line(X.size());
+        const auto put = [&](const label at, const label number,
+                             const vector& x, const direction d)
+        {
+            for (label k = 0; k < each; ++k)
+            {
+                X[at + k] = x;
+                X[at + k][d] += (k - middle) * grid().h()[d];
+                line[at + k] = number;
+            }
+        };
+        for (label i = 0; first && i < n; ++i)
+        {
+            put(i * each, i, start, 0);
+        }
+        if (last) put(X.size() - each, 77, start, 1);
+
+        markers.place(X);
+        scalarField density;
+        markers.lineDensity(line, density);
+        forAll(X, k)
+        {
+            // Where the one across touches them, and where nobody does. A box
+            // shorter than a line in some direction brings it back onto itself
+            const label at = k % each;
+            const label lines = at == middle     ? n + 1
+                                : line[k] == 77 ? 1
+                                                : n;
+            if (mag(at - middle) == 1) continue;
+            if (grid().n()[line[k] == 77 ? 1 : 0] < each + 2) continue;
+            EXPECT_NEAR(density[k], lines, 1e-12) << "marker " << at;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(kernels, MarkerSet,
                          ::testing::Values(deltaKernel::Roma3,
                                            deltaKernel::Peskin4),
                          [](const auto& i)
