@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "uniformGrid.H"
+#include "boxLattice.H"
 #include "syncTools.H"
 #include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
@@ -8,118 +9,39 @@
 namespace Foam
 {
 defineTypeNameAndDebug(uniformGrid, 0);
-
-// blockMesh writes 10 digits: positions carry relative errors of 1e-10 of the
-// box, which may be 1e-7 of a cell. Anything graded on purpose exceeds this.
-static const scalar positionTolerance = 1e-4;
 } // namespace Foam
 
 Foam::uniformGrid::uniformGrid(const fvMesh& mesh)
     : MeshObject<fvMesh, GeometricMeshObject, uniformGrid>(mesh),
       periodic_(false)
 {
-    reason_ = recogniseCells();
+    const boxLattice lattice(mesh);
+    origin_ = lattice.origin;
+    h_ = lattice.h;
+    n_ = lattice.n;
+    reason_ = lattice.reason;
+    number(lattice.cells);
     if (valid()) reason_ = recogniseSides();
 }
 
-Foam::string Foam::uniformGrid::recogniseCells()
+void Foam::uniformGrid::number(const List<labelVector>& cells)
 {
-    const fvMesh& mesh = mesh_;
-
-    const boundBox bounds(mesh.points(), true);
-    origin_ = bounds.min();
-
-    const label nCells = mesh.nCells();
-    const vectorField& centres = mesh.cellCentres();
-
-    // Cell size from the bounding boxes of the cells themselves. By faces:
-    // the mesh's lists of cell faces and points, once made, stay, and take more
-    // memory than the flow
-    vectorField lower(nCells, vector::max), upper(nCells, vector::min);
-    List<direction> nFaces(nCells, direction(0));
-    forAll(mesh.faces(), facei)
-    {
-        const boundBox b(mesh.points(), mesh.faces()[facei], false);
-        const auto add = [&](const label celli)
-        {
-            lower[celli] = min(lower[celli], b.min());
-            upper[celli] = max(upper[celli], b.max());
-            ++nFaces[celli];
-        };
-        add(mesh.faceOwner()[facei]);
-        if (facei < mesh.nInternalFaces()) add(mesh.faceNeighbour()[facei]);
-    }
-    vector hMin(vector::max), hMax(vector::min);
-    bool hexes = true;
-    for (label celli = 0; celli < nCells; ++celli)
-    {
-        hexes = hexes && nFaces[celli] == 6;
-        hMin = min(hMin, upper[celli] - lower[celli]);
-        hMax = max(hMax, upper[celli] - lower[celli]);
-    }
-    lower.clear();
-    upper.clear();
-    reduce(hexes, andOp<bool>());
-    reduce(hMin, minOp<vector>());
-    reduce(hMax, maxOp<vector>());
-
-    if (!hexes) return "some cells are not hexahedra with six faces";
-
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (hMax[d] - hMin[d] > positionTolerance * hMin[d])
-        {
-            return "the cell size in direction " +
-                   string(vector::componentNames[d]) + " varies between " +
-                   Foam::name(hMin[d]) + " and " + Foam::name(hMax[d]);
-        }
-        n_[d] = label(bounds.span()[d] / hMax[d] + 0.5);
-        h_[d] = bounds.span()[d] / n_[d];
-    }
-
-    // Boxes of equal size that fill the bounding box on lattice positions
-    List<labelVector> ijk(nCells);
     labelVector lo(labelVector::max), hi(labelVector::min);
-    bool aligned = true;
-    for (label celli = 0; celli < nCells; ++celli)
+    for (const labelVector& c : cells)
     {
-        const vector c(centres[celli] - origin_);
-        for (direction d = 0; d < 3; ++d)
-        {
-            const scalar at = c[d] / h_[d] - 0.5;
-            ijk[celli][d] = label(floor(at + 0.5));
-            aligned =
-                aligned && mag(at - ijk[celli][d]) < positionTolerance * n_[d];
-        }
-        lo = min(lo, ijk[celli]);
-        hi = max(hi, ijk[celli]);
-        aligned = aligned && mag(mesh.cellVolumes()[celli] / cellVolume() - 1) <
-                                 10 * positionTolerance;
+        lo = min(lo, c);
+        hi = max(hi, c);
     }
-    if (nCells)
+    if (cells.size())
     {
         box_.lo = lo;
         box_.size = hi - lo + labelVector::one;
     }
-    index_.setSize(nCells);
+    index_.setSize(cells.size());
     forAll(index_, celli)
     {
-        index_[celli] = box_.index(ijk[celli]);
+        index_[celli] = box_.index(cells[celli]);
     }
-
-    reduce(aligned, andOp<bool>());
-    if (!aligned) return "the cells are not boxes along the coordinate axes";
-
-    const label nAll = returnReduce(nCells, sumOp<label>());
-    if (nAll != n_.x() * n_.y() * n_.z())
-    {
-        return "the " + Foam::name(nAll) +
-               " cells do not fill their bounding box of " +
-               Foam::name(n_.x()) + " x " + Foam::name(n_.y()) + " x " +
-               Foam::name(n_.z());
-    }
-
-    return string::null;
 }
 
 Foam::string Foam::uniformGrid::recogniseSides()

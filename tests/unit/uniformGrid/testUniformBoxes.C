@@ -1,0 +1,134 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+// Decomposition into rectangular blocks: numbers of blocks, and who gets what
+
+#include "testBox.H"
+#include "uniformBoxes.H"
+
+using namespace Foam;
+
+namespace
+{
+//- Faces of all blocks towards others, in a box that is periodic all round
+label faces(const labelVector& cells, const labelVector& n)
+{
+    label sum = 0;
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (n[d] > 1) sum += 2 * n[d] * cmptProduct(cells) / cells[d];
+    }
+    return sum;
+}
+
+dictionary decomposition(const char* text)
+{
+    IStringStream is(text);
+    return dictionary(is);
+}
+} // namespace
+
+TEST(UniformBoxes, noOtherCountsHaveFewerFaces)
+{
+    const labelVector cells(64, 64, 64);
+    for (const label ranks : {2, 3, 4, 5, 6, 7, 8, 12, 16})
+    {
+        const labelVector n(uniformBoxes::counts(cells, ranks));
+        EXPECT_EQ(cmptProduct(n), ranks);
+        for (label x = 1; x <= ranks; ++x)
+        {
+            for (label y = 1; x * y <= ranks; ++y)
+            {
+                if (ranks % (x * y)) continue;
+                const labelVector other(x, y, ranks / x / y);
+                // The largest block is what counts: blocks of unequal size
+                // leave the sum of all a few parts in a hundred more
+                EXPECT_LE(faces(cells, n), 1.05 * faces(cells, other))
+                    << ranks << " ranks, x " << x << " y " << y;
+            }
+        }
+    }
+}
+
+TEST(UniformBoxes, ofEqualCountsTheyCutAlongZFirst)
+{
+    const labelVector cells(64, 64, 64);
+    EXPECT_EQ(uniformBoxes::counts(cells, 1), labelVector(1, 1, 1));
+    EXPECT_EQ(uniformBoxes::counts(cells, 2), labelVector(1, 1, 2));
+    EXPECT_EQ(uniformBoxes::counts(cells, 4), labelVector(1, 1, 4));
+    EXPECT_EQ(uniformBoxes::counts(cells, 6), labelVector(1, 2, 3));
+    EXPECT_EQ(uniformBoxes::counts(cells, 7), labelVector(1, 1, 7));
+    EXPECT_EQ(uniformBoxes::counts(cells, 8), labelVector(1, 2, 4));
+}
+
+// A cut between walls has one side where a periodic one has two
+TEST(UniformBoxes, twoRanksMeetBetweenWalls)
+{
+    FixedList<bool, 3> periodic(true);
+    periodic[1] = false;
+    EXPECT_EQ(uniformBoxes::counts(labelVector(32, 32, 32), 2, periodic),
+              labelVector(1, 2, 1));
+}
+
+TEST(UniformBoxes, everyRankHasALayer)
+{
+    const labelVector cells(4, 3, 5);
+    EXPECT_EQ(uniformBoxes::counts(cells, 60), cells);
+    EXPECT_EQ(uniformBoxes::counts(cells, 61), labelVector::zero);
+    EXPECT_EQ(uniformBoxes::counts(cells, 7), labelVector::zero);
+}
+
+TEST(UniformBoxes, partsDifferByOneLayerAtMost)
+{
+    for (const label n : {3, 32, 63, 64})
+    {
+        for (const label parts : {1, 2, 3, 5, 7, 16, 63})
+        {
+            if (parts > n) continue;
+            labelList size(parts, Zero);
+            label last = 0;
+            for (label i = 0; i < n; ++i)
+            {
+                const label p = uniformBoxes::part(n, parts, i);
+                ASSERT_TRUE(p >= last && p < parts);
+                ++size[last = p];
+            }
+            EXPECT_EQ(sum(size), n);
+            EXPECT_LE(max(size) - min(size), 1) << n << " in " << parts;
+            EXPECT_EQ(max(size), size[0]);
+        }
+    }
+    labelList sevenths(7, Zero);
+    for (label i = 0; i < 32; ++i)
+    {
+        ++sevenths[uniformBoxes::part(32, 7, i)];
+    }
+    EXPECT_EQ(sevenths, labelList({5, 5, 5, 5, 4, 4, 4}));
+}
+
+TEST(UniformBoxes, everyCellIsDealtToABlock)
+{
+    const labelVector cells(9, 8, 7);
+    test::box b(cells, vector(3, 1, 2), {false, true, false}, 1);
+    const dictionary dict(
+        decomposition("numberOfSubdomains 12; coeffs { n (2 3 2); }"));
+    const uniformBoxes method(dict);
+    const pointField& centres = b.mesh().cellCentres();
+    const labelList rank(
+        method.decompose(b.mesh(), centres, scalarField(centres.size(), 1)));
+
+    // As many cells as their bounding box has places: a whole block
+    std::vector<boundBox> around(12);
+    labelList held(12, Zero);
+    forAll(rank, celli)
+    {
+        ++held[rank[celli]];
+        around[rank[celli]].add(centres[celli]);
+    }
+    EXPECT_EQ(sum(held), cmptProduct(cells));
+    const vector h(3.0 / 9, 1.0 / 8, 2.0 / 7);
+    for (label r = 0; r < 12; ++r)
+    {
+        const vector size(cmptDivide(around[r].span(), h) + vector::one);
+        EXPECT_NEAR(held[r], cmptProduct(size), 1e-9) << "rank " << r;
+    }
+}
