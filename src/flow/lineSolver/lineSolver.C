@@ -74,20 +74,45 @@ std::vector<std::pair<label, label>> sharing(const uniformGrid& grid,
 }
 } // namespace
 
-bool Foam::lineSolver::aligned(const uniformGrid& grid)
+bool Foam::lineSolver::aligned(const uniformGrid& grid, const direction dir)
 {
     const List<cellBox> boxes(grid.allBoxes());
-    bool all = true;
-    for (direction d = 0; d < 3; ++d)
+    label held = 0;
+    for (const auto& piece : sharing(grid, dir))
     {
-        label held = 0;
-        for (const auto& piece : sharing(grid, d))
-        {
-            held += boxes[piece.second].size[d];
-        }
-        all = all && held == grid.n()[d];
+        held += boxes[piece.second].size[dir];
     }
-    return returnReduce(all, andOp<bool>());
+    return returnReduce(held == grid.n()[dir], andOp<bool>());
+}
+
+// Layers of lines are dealt to the ranks in order; a rank may get none
+Foam::cellBox Foam::lineSolver::deal(const uniformGrid& grid,
+                                     const direction dir)
+{
+    const direction across = dir == 2 ? 1 : 2;
+    const int64_t n = grid.n()[across], ranks = Pstream::nProcs();
+    const auto linesOf = [&](const label rank)
+    {
+        cellBox lines;
+        lines.size = grid.n();
+        lines.lo[across] = n * rank / ranks;
+        lines.size[across] = n * (rank + 1) / ranks - lines.lo[across];
+        return lines;
+    };
+
+    const cellBox& from = grid.box();
+    labelList rank(from.count()), place(rank.size());
+    forAll(rank, i)
+    {
+        const labelVector c(from.cell(i));
+        rank[i] = ((c[across] + 1) * ranks - 1) / n;
+        place[i] = linesOf(rank[i]).index(c);
+    }
+    toLines_.reset(new indexExchange(rank, place));
+
+    const cellBox mine(linesOf(Pstream::myProcNo()));
+    whole_.resize(mine.count());
+    return mine;
 }
 
 Foam::lineSolver::lineSolver(const uniformGrid& grid, const direction dir,
@@ -95,10 +120,18 @@ Foam::lineSolver::lineSolver(const uniformGrid& grid, const direction dir,
     : dir_(dir),
       periodic_(grid.periodic(dir)),
       faces_(faces),
-      box_(grid.box())
+      box_(aligned(grid, dir) ? grid.box() : deal(grid, dir))
 {
     const label nLines = box_.count() / box_.size[dir];
-    const auto pieces = sharing(grid, dir);
+    std::vector<std::pair<label, label>> pieces;
+    if (toLines_)
+    {
+        pieces.push_back({0, Pstream::myProcNo()});
+    }
+    else
+    {
+        pieces = sharing(grid, dir);
+    }
     const label nPieces = pieces.size();
     for (label p = 0; p < nPieces; ++p)
     {
@@ -285,6 +318,20 @@ void Foam::lineSolver::solve(double* x, const double beta, const double lower,
                              const double upper)
 {
     if (beta != beta_) factorise(beta);
+    if (toLines_)
+    {
+        toLines_->forward(x, whole_.data());
+        sweepAll(whole_.data(), lower, upper);
+        toLines_->backward(whole_.data(), x);
+        return;
+    }
+    sweepAll(x, lower, upper);
+}
+
+void Foam::lineSolver::sweepAll(double* x, const double lower,
+                                const double upper)
+{
+    const double beta = beta_;
     const bool given = !periodic_ && !faces_;
     const label end = box_.lo[dir_] + box_.size[dir_];
     const double lo = given && box_.lo[dir_] == 0 ? 2 * beta * lower : 0;

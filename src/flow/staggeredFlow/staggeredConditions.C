@@ -12,18 +12,6 @@ Foam::string Foam::staggeredFlow::unsupported(const volVectorField& U,
     const uniformGrid& grid = uniformGrid::New(U.mesh());
     if (!grid.valid()) return "the mesh is no uniform box: " + grid.reason();
 
-    const bool whole = grid.index().size() == grid.box().count();
-    if (!returnReduce(whole && grid.index().size(), andOp<bool>()))
-    {
-        return "the decomposition is not one of rectangular blocks (method "
-               "simple or hierarchical)";
-    }
-
-    if (!lineSolver::aligned(grid))
-    {
-        return "the blocks of the ranks are not aligned";
-    }
-
     for (direction d = 0; d < 3; ++d)
     {
         if (grid.n()[d] < 3)
@@ -65,6 +53,22 @@ Foam::string Foam::staggeredFlow::unsupported(const volVectorField& U,
     }
     wallVelocities unused;
     return readWalls(U, unused);
+}
+
+void Foam::staggeredFlow::requireBlocks(const fvMesh& mesh,
+                                        const dictionary& controls)
+{
+    const uniformGrid& grid = uniformGrid::New(mesh);
+    const bool whole = grid.index().size() == grid.box().count();
+    if (returnReduce(whole && grid.index().size(), andOp<bool>())) return;
+
+    FatalIOErrorInFunction(controls)
+        << "only the decomposition keeps this case from the flow algorithm "
+        << "staggered: the cells of a rank must be one rectangular block" << nl
+        << "    either write method uniformBoxes; in system/decomposeParDict "
+        << "and run decomposePar -force" << nl
+        << "    or write PIMPLE { flowAlgorithm pimple; } in "
+        << "system/fvSolution, which is far slower" << exit(FatalIOError);
 }
 
 // Least and largest velocity of all faces of each side, on all ranks
