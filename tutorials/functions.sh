@@ -35,8 +35,8 @@ solve()
         run "$1"
         return
     fi
-    sed -i "s/^numberOfSubdomains.*/numberOfSubdomains $NP;/
-        s/^\( *n  *\)(.*/\1(1 $NP 1);/" system/decomposeParDict
+    sed -i "s/^numberOfSubdomains.*/numberOfSubdomains $NP;/" \
+        system/decomposeParDict
     run decomposePar
     echo "Running $1 on $NP ranks (log.$1)"
     mpirun --bind-to none --oversubscribe -np "$NP" "$1" -parallel \
