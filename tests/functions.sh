@@ -173,10 +173,16 @@ tolerances()
         solvers/pFinal/tolerance "$1" 'solvers/U.*/tolerance' "$1"
 }
 
-# parallel <n> "(nx ny nz)" <command>: decomposed copy of the case in here
+# parallel <n> "(nx ny nz)" <command>: decomposed copy of the case in here; with
+# "" the method chooses the blocks
 parallel()
 {
-    entry system/decomposeParDict numberOfSubdomains "$1" simpleCoeffs/n "$2"
+    cat > system/decomposeParDict <<END
+FoamFile { version 2.0; format ascii; class dictionary; object decomposeParDict; }
+numberOfSubdomains $1;
+method uniformBoxes;
+${2:+coeffs { n $2; \}}
+END
     decomposePar -force > log.decomposePar 2>&1 &&
         mpi -np "$1" "$3" -parallel > "log.$3" 2>&1
 }
