@@ -174,14 +174,16 @@ tolerances()
 }
 
 # parallel <n> "(nx ny nz)" <command>: decomposed copy of the case in here; with
-# "" the method chooses the blocks
+# "" the method chooses the blocks. By another method than uniformBoxes: method
+# and coefficients are given as variables
 parallel()
 {
+    local coefficients=${coefficients:-${2:+n $2;}}
     cat > system/decomposeParDict <<END
 FoamFile { version 2.0; format ascii; class dictionary; object decomposeParDict; }
 numberOfSubdomains $1;
-method uniformBoxes;
-${2:+coeffs { n $2; \}}
+method ${method:-uniformBoxes};
+coeffs { $coefficients }
 END
     decomposePar -force > log.decomposePar 2>&1 &&
         mpi -np "$1" "$3" -parallel > "log.$3" 2>&1

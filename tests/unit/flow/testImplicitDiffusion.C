@@ -22,7 +22,7 @@ TEST(ImplicitDiffusion, dividesWaves)
     for (const bool byFFT : {false, true})
     {
         // What each of them asks for
-        if (byFFT ? walled > 1 : !lineSolver::aligned(grid())) continue;
+        if (byFFT ? walled > 1 : !blocks()) continue;
         implicitDiffusion diffusion(grid(), byFFT);
         scalar worst = 0;
         for (direction c = 0; c < 3; ++c)

@@ -8,7 +8,7 @@ using namespace test;
 
 TEST(LineSolver, solvesForWaves)
 {
-    if (!lineSolver::aligned(grid())) return; // it asks for this
+    if (!blocks()) return; // it asks for this
     const cellBox& box = grid().box();
     scalar worst = 0;
     for (direction d = 0; d < 3; ++d)
@@ -37,7 +37,7 @@ TEST(LineSolver, solvesForWaves)
 
 TEST(LineSolver, keepsLinearProfilesBetweenWalls)
 {
-    if (!lineSolver::aligned(grid())) return;
+    if (!blocks()) return;
     const cellBox& box = grid().box();
     scalar worst = 0;
     for (direction d = 0; d < 3; ++d)
