@@ -57,15 +57,14 @@ Foam::vector Foam::filament::heldPlace(const label i, const scalar dt) const
            min(dt / timeLeft_, scalar(1)) * (base_[i == 0 ? 0 : 1] - X_[i]);
 }
 
-Foam::vectorField Foam::filament::ahead(const scalar dt) const
+void Foam::filament::ahead(const scalar dt, vectorField& X) const
 {
     const scalar r = lastDeltaT_ > 0 ? dt / lastDeltaT_ : 0;
-    vectorField X(X_.size());
+    X.setSize(X_.size());
     forAll(X, i)
     {
         X[i] = X_[i] + dt * (V_[i] + 0.5 * r * (V_[i] - VBefore_[i]));
     }
-    return X;
 }
 
 bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
@@ -81,16 +80,23 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
     const scalar c2 = first ? 0 : sqr(r) / ((1 + r) * dt);
 
     // Newton's method from an extrapolation, with the first matrix for as long as
-    // that converges well
-    vectorField X(ahead(dt)), V(X.size()), R(X.size());
-    scalarField T(T_);
+    // that converges well,
+    // in work space that all filaments share
     static bandedMatrix<8> A;
-    std::vector<double> change(n);
+    static vectorField X, V, R;
+    static scalarField T;
+    static std::vector<double> change;
+    static List<symmTensor> drag;
+    ahead(dt, X);
+    T = T_;
+    V.setSize(X.size());
+    R.setSize(X.size());
+    change.resize(n);
+    drag.setSize(s.points.size());
     bool fresh = true;
     scalar before = GREAT;
 
     // Drag across and along the extrapolated shape
-    List<symmTensor> drag(s.points.size());
     scalar meanDrag = 0;
     forAll(drag, k)
     {

@@ -30,7 +30,7 @@ void Foam::filamentGroup::markers(vector* X, const scalar dt)
     if (alone()) return;
     for (body& x : bodies_)
     {
-        x.ahead = x.line.ahead(dt);
+        x.line.ahead(dt, x.ahead);
         forAll(points_, k)
         {
             x.markers[k] = points_[k](x.ahead);
@@ -117,8 +117,8 @@ bool Foam::filamentGroup::moveOne(const label i, const vector* U,
     around.force = Zero;
     if (scene_.forces.actOn(name()))
     {
-        const bodyPoints p(
-            pointsOf(mine()[i], x.line.ahead(s.dt), x.line.velocities()));
+        x.line.ahead(s.dt, x.ahead);
+        const bodyPoints p(pointsOf(mine()[i], x.ahead, x.line.velocities()));
         around.force = scene_.forces.on(p, s.time, scene_.effects) / p.lengths;
     }
     if (base_.valid())

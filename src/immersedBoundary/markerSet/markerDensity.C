@@ -13,35 +13,41 @@ using namespace Foam;
 //  lies in the bins of the places 1.5 cells below and above
 struct binsOfDirection
 {
-    scalar origin, h, n, lo, size;
+    scalar origin, perCell, n, lo;
     bool periodic, whole;
+
+    //- Coordinates of this rank's cells begin after below; bins per cell
+    scalar below, scale;
     label nBins;
 
     binsOfDirection(const uniformGrid& grid, const direction d)
         : origin(grid.origin()[d]),
-          h(grid.h()[d]),
+          perCell(1 / grid.h()[d]),
           n(grid.n()[d]),
           lo(grid.box().lo[d]),
-          size(grid.box().size[d]),
           periodic(grid.periodic(d)),
-          whole(size == n),
-          nBins(whole ? max(label(n / 3), label(1)) : label(size / 3) + 3)
+          whole(grid.box().size[d] == grid.n()[d])
     {
+        const label size = grid.box().size[d];
+        below = whole ? 0 : 0.5 * (n - size);
+        nBins = whole ? max(size / 3, label(1)) : size / 3 + 3;
+        scale = whole ? nBins / n : 1.0 / 3;
     }
 
     //- Cells above the first layer of this rank
     scalar place(const scalar coordinate) const
     {
-        const scalar x = (coordinate - origin) / h - lo;
-        const scalar below = whole ? 0 : 0.5 * (n - size);
-        return periodic ? x - n * std::floor((x + below) / n) : x;
+        const scalar x = (coordinate - origin) * perCell - lo;
+        if (!periodic || (x >= -below && x < n - below)) return x;
+        return x - n * std::floor((x + below) / n);
     }
 
     label bin(const scalar place) const
     {
-        if (!whole) return clamped(label((place + 3) / 3));
-        const label b = label(std::floor(place * nBins / n));
-        return periodic ? (b + nBins) % nBins : clamped(b);
+        if (!whole) return clamped(label((place + 3) * scale));
+        const label b = place < 0 ? -1 : label(place * scale);
+        if (!periodic) return clamped(b);
+        return b < 0 ? nBins - 1 : b >= nBins ? b - nBins : b;
     }
 
     //- Shortest of all images
@@ -79,31 +85,40 @@ void Foam::markerSet::lineDensity(const labelUList& line,
     const binsOfDirection bins[3] = {{grid_, 0}, {grid_, 1}, {grid_, 2}};
     const auto binOf = [&](const label i, const label j, const label k)
     { return i + bins[0].nBins * (j + bins[1].nBins * k); };
-    labelList firstIn(bins[0].nBins * bins[1].nBins * bins[2].nBins, -1);
-    labelList next(X_.size(), -1);
-    vectorField at(X_.size());
+
+    // What is looked at of a marker, in one place of memory
+    struct entry
+    {
+        scalar at[3];
+        label line, number, next;
+    };
+    std::vector<entry> all(X_.size());
+    std::vector<label> firstIn(
+        bins[0].nBins * bins[1].nBins * bins[2].nBins, -1);
     forAll(X_, k)
     {
-        if (ids[2 * k] < 0) continue;
+        entry& e = all[k];
+        e.line = label(ids[2 * k]);
+        e.number = label(ids[2 * k + 1]);
+        if (e.line < 0) continue;
         for (direction d = 0; d < 3; ++d)
         {
-            at[k][d] = bins[d].place(X_[k][d]);
+            e.at[d] = bins[d].place(X_[k][d]);
         }
-        label& first = firstIn[binOf(bins[0].bin(at[k].x()),
-                                     bins[1].bin(at[k].y()),
-                                     bins[2].bin(at[k].z()))];
-        next[k] = first;
+        label& first = firstIn[binOf(bins[0].bin(e.at[0]), bins[1].bin(e.at[1]),
+                                     bins[2].bin(e.at[2]))];
+        e.next = first;
         first = k;
     }
 
     scalarField others(X_.size(), Zero);
-    std::vector<std::pair<scalar, scalar>> touched; // line, largest share
+    std::vector<std::pair<label, scalar>> touched; // line, largest share
     forAll(X_, k)
     {
         // A marker's surroundings are known to the rank that holds its cell
-        if (ids[2 * k] < 0 ||
-            (Pstream::parRun() &&
-             neighbours_.holder(X_[k]) != neighbours_.me()))
+        const entry& e = all[k];
+        if (e.line < 0 || (Pstream::parRun() &&
+                           neighbours_.holder(X_[k]) != neighbours_.me()))
         {
             continue;
         }
@@ -111,39 +126,46 @@ void Foam::markerSet::lineDensity(const labelUList& line,
         int nBins[3];
         for (direction d = 0; d < 3; ++d)
         {
-            bin[d][0] = bins[d].bin(at[k][d] - reach);
-            bin[d][1] = bins[d].bin(at[k][d] + reach);
+            bin[d][0] = bins[d].bin(e.at[d] - reach);
+            bin[d][1] = bins[d].bin(e.at[d] + reach);
             nBins[d] = bin[d][0] == bin[d][1] ? 1 : 2;
         }
         touched.clear();
-        for (int b = 0; b < nBins[0] * nBins[1] * nBins[2]; ++b)
+        const auto touch = [&](const entry& other)
         {
-            const int i = b % nBins[0], j = b / nBins[0] % nBins[1],
-                      l = b / (nBins[0] * nBins[1]);
-            for (label m = firstIn[binOf(bin[0][i], bin[1][j], bin[2][l])];
-                 m >= 0; m = next[m])
+            if (other.line == e.line &&
+                mag(other.number - e.number) <= sameLine)
             {
-                if (ids[2 * m] == ids[2 * k] &&
-                    mag(ids[2 * m + 1] - ids[2 * k + 1]) <= sameLine)
+                return;
+            }
+            scalar share = 1;
+            for (direction d = 0; d < 3; ++d)
+            {
+                const scalar away = bins[d].distance(e.at[d], other.at[d]);
+                share *= max(scalar(0), 1 - away * (1 / reach));
+            }
+            if (share == 0) return;
+            for (auto& t : touched)
+            {
+                if (t.first != other.line) continue;
+                t.second = max(t.second, share);
+                return;
+            }
+            touched.push_back({other.line, share});
+        };
+        for (int l = 0; l < nBins[2]; ++l)
+        {
+            for (int j = 0; j < nBins[1]; ++j)
+            {
+                for (int i = 0; i < nBins[0]; ++i)
                 {
-                    continue;
+                    for (label m =
+                             firstIn[binOf(bin[0][i], bin[1][j], bin[2][l])];
+                         m >= 0; m = all[m].next)
+                    {
+                        touch(all[m]);
+                    }
                 }
-                scalar share = 1;
-                for (direction d = 0; d < 3; ++d)
-                {
-                    share *= max(scalar(0), 1 - bins[d].distance(at[k][d],
-                                                                 at[m][d]) /
-                                                    reach);
-                }
-                if (share == 0) continue;
-                bool known = false;
-                for (auto& t : touched)
-                {
-                    if (t.first != ids[2 * m]) continue;
-                    t.second = max(t.second, share);
-                    known = true;
-                }
-                if (!known) touched.push_back({ids[2 * m], share});
             }
         }
         for (const auto& t : touched)
