@@ -54,7 +54,13 @@ Foam::bodyCollection& Foam::bodyCollection::New(const fvMesh& mesh)
 Foam::bodyCollection::~bodyCollection()
 {
     // Nothing was simulated in post-processing
-    if (lastMoved_ >= 0) effects_.printCost();
+    if (lastMoved_ < 0) return;
+    effects_.printCost();
+    if (Pstream::parRun() && !empty())
+    {
+        Info << "Bodies handed over between ranks: "
+             << ownership_->handedOver() << nl << endl;
+    }
 }
 
 void Foam::bodyCollection::read(const IOdictionary& dict)
@@ -75,12 +81,6 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
         refuse(dict, "sampleInterval", Foam::name(sampleInterval_),
                "1 and greater");
     }
-    const word accuracy(dict.getOrDefault<word>("accuracy", "standard"));
-    if (!wordList({"draft", "standard", "reference"}).found(accuracy))
-    {
-        refuse(dict, "accuracy", accuracy, "(draft standard reference)");
-    }
-
     const IOdictionary transport(
         IOobject("transportProperties", mesh_.time().constant(), mesh_,
                  IOobject::MUST_READ, IOobject::NO_WRITE, false));
@@ -98,7 +98,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
         grid_,         markers_->kernel(),
         rho_,          rho_ * nu_,
         readGravity(), adjusted ? GREAT : time.deltaTValue(),
-        accuracy,      readCoupling(dict, bodyCoupling::twoWay),
+        readAccuracy(dict), readCoupling(dict, bodyCoupling::twoWay),
         forces_,       effects_};
     bool feedback = false, inFluid = false;
     const dictionary& bodies = dict.subDict("bodies");

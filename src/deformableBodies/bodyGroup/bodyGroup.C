@@ -19,6 +19,14 @@ Foam::bodyCoupling Foam::readCoupling(const dictionary& dict,
                     dict, "coupling", otherwise);
 }
 
+Foam::bodyAccuracy Foam::readAccuracy(const dictionary& dict)
+{
+    return readEnum(Enum<bodyAccuracy>({{bodyAccuracy::draft, "draft"},
+                                        {bodyAccuracy::standard, "standard"},
+                                        {bodyAccuracy::reference, "reference"}}),
+                    dict, "accuracy", bodyAccuracy::standard);
+}
+
 Foam::bodyGroup::bodyGroup(const word& name, const dictionary& dict,
                            const bodyScene& scene)
     : name_(name),
@@ -45,6 +53,8 @@ Foam::autoPtr<Foam::bodyGroup> Foam::bodyGroup::New(const word& name,
 Foam::FixedList<Foam::direction, 2>
 Foam::bodyGroup::readShearPlane(const dictionary& dict) const
 {
+    const Enum<vector::components> axes(
+        {{vector::X, "x"}, {vector::Y, "y"}, {vector::Z, "z"}});
     const wordList plane(dict.getOrDefault<wordList>("shearPlane", {"x", "y"}));
     if (plane.size() != 2 || plane[0] == plane[1])
     {
@@ -54,9 +64,11 @@ Foam::bodyGroup::readShearPlane(const dictionary& dict) const
     FixedList<direction, 2> directions;
     forAll(plane, k)
     {
-        const label d = wordList({"x", "y", "z"}).find(plane[k]);
-        if (d < 0) refuse(dict, "shearPlane", plane[k], "two of x y z");
-        directions[k] = d;
+        if (!axes.found(plane[k]))
+        {
+            refuse(dict, "shearPlane", plane[k], "two of x y z");
+        }
+        directions[k] = axes[plane[k]];
     }
     return directions;
 }

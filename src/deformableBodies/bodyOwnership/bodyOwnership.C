@@ -51,7 +51,9 @@ void Foam::bodyOwnership::migrate(PtrList<bodyGroup>& groups)
             ++nLeaving;
         }
     }
-    if (!returnReduce(nLeaving, sumOp<label>())) return;
+    reduce(nLeaving, sumOp<label>());
+    if (nLeaving == 0) return;
+    handedOver_ += nLeaving;
 
     List<scalarField> out(leaving.size()), in;
     forAll(out, r)

@@ -17,39 +17,50 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
     // least four times that is stable (tests/bench/stability)
     maxDeltaT_ = 4 / stabilised_->fastest();
 
-    word motion(dict.getOrDefault<word>("motion", "auto"));
-    string note("motion " + motion);
-    if (motion == "auto")
+    enum motionType
+    {
+        AUTO,
+        EXPLICIT,
+        STABILISED,
+        PENALTY
+    };
+    const Enum<motionType> words({{AUTO, "auto"},
+                                  {EXPLICIT, "explicit"},
+                                  {STABILISED, "stabilised"},
+                                  {PENALTY, "penalty"}});
+    motionType motion = readEnum(words, dict, "motion", AUTO);
+    string note("motion " + words[motion]);
+    if (motion == AUTO)
     {
         // Re/Ca_G, whatever the rate
         const scalar inertia =
             scene_.rho * radius_ * law.shearModulus() / sqr(scene_.mu);
         if (scene_.deltaT <= maxDeltaT_)
         {
-            motion = "explicit";
+            motion = EXPLICIT;
             note = "not needed up to deltaT = " + Foam::name(maxDeltaT_);
         }
         else if (inertia < 30)
         {
-            motion = "stabilised";
+            motion = STABILISED;
         }
         else
         {
-            motion = "explicit";
+            motion = EXPLICIT;
             note = "too much inertia: Re/Ca = " + Foam::name(inertia) +
                    ", limit 30";
         }
     }
-    if (motion == "stabilised")
+    if (motion == STABILISED)
     {
         maxDeltaT_ = GREAT;
         note = "steps larger than explicit motion bears";
     }
-    else if (motion == "explicit")
+    else if (motion == EXPLICIT)
     {
         stabilised_.reset();
     }
-    else if (motion == "penalty")
+    else if (motion == PENALTY)
     {
         const scalar thickness = dict.found("thickness")
                                      ? readPositive(dict, "thickness", dimless)
@@ -64,14 +75,10 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
             (law.shearModulus() + law.areaModulus()) * N * (N + 1) +
             modulus * bend * bend);
     }
-    else
-    {
-        refuse(dict, "motion", motion, "(auto explicit stabilised penalty)");
-    }
     scene_.effects.declare("stabilised", bool(stabilised_), note);
     scene_.effects.declare("penalty", bool(penalty_),
                            penalty_ ? "elastic points beside those of the fluid"
-                                    : "motion " + motion);
+                                    : "motion " + words[motion]);
 }
 
 void Foam::capsuleGroup::volumeGradient(const numbers& x, numbers& g) const

@@ -5,6 +5,7 @@
 #include "IFstream.H"
 #include "transform.H"
 #include "triSurface.H"
+#include "triSurfaceSearch.H"
 #include <cmath>
 
 namespace
@@ -16,7 +17,11 @@ class starSurface
 {
     const dictionary& dict_;
     triSurface surface_;
+    triSurfaceSearch search_;
     point centre_ = Zero;
+
+    //- Beyond every point of it
+    scalar reach_;
 
     void refuseFile(const string& why) const
     {
@@ -31,7 +36,8 @@ public:
     explicit starSurface(const dictionary& dict)
         : dict_(dict),
           surface_(dict.get<fileName>("file").expand(),
-                   dict.getOrDefault<scalar>("scale", 1))
+                   dict.getOrDefault<scalar>("scale", 1)),
+          search_(surface_)
     {
         for (const labelList& faces : surface_.edgeFaces())
         {
@@ -57,37 +63,29 @@ public:
                        "same way, or it crosses itself");
         }
         centre_ /= volume;
+        reach_ = 2 * size;
     }
 
     //- The one point of the surface in a direction
     point at(const vector& e) const
     {
-        const pointField& points = surface_.points();
-        scalar distance = -1;
-        for (const labelledTri& t : surface_)
+        List<List<pointIndexHit>> met;
+        search_.findLineAll(pointField(1, centre_),
+                            pointField(1, centre_ + reach_ * e), met);
+        if (met[0].empty()) refuseFile("has a hole, or its centre lies outside");
+
+        const scalar distance = mag(met[0][0].hitPoint() - centre_);
+        for (const pointIndexHit& hit : met[0])
         {
-            const vector a(points[t[0]] - centre_), b(points[t[1]] - centre_),
-                c(points[t[2]] - centre_);
-            const scalar det = a & (b ^ c);
-            if (mag(det) < VSMALL) continue;
-
-            // e = u a + v b + w c; edges belong to both sides
-            const scalar u = (e & (b ^ c)) / det, v = (e & (c ^ a)) / det,
-                         w = (e & (a ^ b)) / det, sum = u + v + w;
-            const scalar tolerance = -1e-9 * mag(sum);
-            if (sum <= 0 || min(u, min(v, w)) < tolerance) continue;
-
-            const scalar r = 1 / sum;
-            if (distance > 0 && mag(r - distance) > 1e-6 * distance)
+            // An edge belongs to two triangles
+            if (mag(mag(hit.hitPoint() - centre_) - distance) > 1e-6 * distance)
             {
                 refuseFile(
                     "is not star-shaped: the ray from its centre along (" +
                     Foam::name(e.x()) + " " + Foam::name(e.y()) + " " +
                     Foam::name(e.z()) + ") meets it more than once");
             }
-            distance = r;
         }
-        if (distance < 0) refuseFile("has a hole, or its centre lies outside");
         return distance * e;
     }
 };

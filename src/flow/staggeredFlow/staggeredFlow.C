@@ -43,23 +43,6 @@ struct Foam::staggeredFlow::history : public regIOobject
     }
 };
 
-namespace
-{
-using namespace Foam;
-
-word readChoice(const dictionary& dict, const word& name, const wordList& all)
-{
-    const word value(dict.getOrDefault<word>(name, all[0]));
-    if (!all.found(value))
-    {
-        OStringStream allowed;
-        allowed << flatOutput(all);
-        refuse(dict, name, value, allowed.str());
-    }
-    return value;
-}
-} // namespace
-
 Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
                                    surfaceScalarField& phi,
                                    const volScalarField& nu,
@@ -72,9 +55,13 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
       box_(block_.box()),
       effects_(effects),
       controls_(controls),
-      RK3_(readChoice(controls, "timeScheme", {"AB2", "RK3"}) == "RK3"),
-      diffusion_(readChoice(controls, "diffusion",
-                            {"auto", "ADI", "FFT", "explicit"})),
+      RK3_(readEnum(Enum<bool>({{false, "AB2"}, {true, "RK3"}}), controls,
+                    "timeScheme", false)),
+      diffusion_(readEnum(Enum<diffusionType>({{AUTO, "auto"},
+                                               {ADI, "ADI"},
+                                               {FFT, "FFT"},
+                                               {EXPLICIT, "explicit"}}),
+                          controls, "diffusion", AUTO)),
       convection_(controls.getOrDefault<bool>("convection", true)),
       U_(U),
       p_(p),
@@ -88,13 +75,13 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
         sides[d].periodic = grid_.periodic(d);
         if (!grid_.periodic(d)) ++nWalled;
     }
-    if (diffusion_ == "FFT" && nWalled > 1)
+    if (diffusion_ == FFT && nWalled > 1)
     {
-        refuse(controls, "diffusion", diffusion_,
+        refuse(controls, "diffusion", "FFT",
                "auto, ADI or explicit where two directions have walls");
     }
-    mayTransform_ = diffusion_ == "FFT" ||
-                    (diffusion_ == "auto" && stiffBodies && nWalled < 2);
+    mayTransform_ = diffusion_ == FFT ||
+                    (diffusion_ == AUTO && stiffBodies && nWalled < 2);
 
     // First, as making it takes memory for a moment
     {
@@ -297,7 +284,7 @@ void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
     const scalar limit = RK3_ ? 0.2 : 0.08;
     const scalar number = grid_.diffusionNumber(nuMax_, dt);
 
-    if (diffusion_ == "auto")
+    if (diffusion_ == AUTO)
     {
         // Not back and forth where dt varies about the limit
         explicit_ =
@@ -305,7 +292,7 @@ void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
     }
     else
     {
-        explicit_ = diffusion_ == "explicit";
+        explicit_ = diffusion_ == EXPLICIT;
         if (explicit_ && number > 1.04 * limit)
         {
             refuse(controls_, "diffusion",
@@ -317,7 +304,7 @@ void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
     }
     if (explicit_ != before) hasLast_ = false;
     const bool byTransforms = transforms_;
-    transforms_ = mayTransform_ && (diffusion_ == "FFT" || number > 1);
+    transforms_ = mayTransform_ && (diffusion_ == FFT || number > 1);
     const bool other = transforms_ != byTransforms;
     if (other) responseTo_ = -1;
     if (!explicit_ && !implicit_[transforms_])
