@@ -58,8 +58,8 @@ Foam::bodyCollection::~bodyCollection()
     effects_.printCost();
     if (Pstream::parRun() && !empty())
     {
-        Info << "Bodies handed over between ranks: "
-             << ownership_->handedOver() << nl << endl;
+        Info << "Bodies handed over between ranks: " << ownership_->handedOver()
+             << nl << endl;
     }
 }
 
@@ -94,12 +94,16 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     const Time& time = mesh_.time();
     const bool adjusted =
         time.controlDict().getOrDefault<bool>("adjustTimeStep", false);
-    const bodyScene scene{
-        grid_,         markers_->kernel(),
-        rho_,          rho_ * nu_,
-        readGravity(), adjusted ? GREAT : time.deltaTValue(),
-        readAccuracy(dict), readCoupling(dict, bodyCoupling::twoWay),
-        forces_,       effects_};
+    const bodyScene scene{grid_,
+                          markers_->kernel(),
+                          rho_,
+                          rho_ * nu_,
+                          readGravity(),
+                          adjusted ? GREAT : time.deltaTValue(),
+                          readAccuracy(dict),
+                          readCoupling(dict, bodyCoupling::twoWay),
+                          forces_,
+                          effects_};
     bool feedback = false, inFluid = false;
     const dictionary& bodies = dict.subDict("bodies");
     for (const word& name : bodies.toc())
@@ -130,8 +134,10 @@ void Foam::bodyCollection::readViscosityRatios(const dictionary& transport)
     forAll(groups_, g)
     {
         const scalar ratio = groups_[g].viscosityRatio();
-        if (groups_[g].twoWay()) ratios[g] = ratio;
-        else unfelt = unfelt || ratio != 1;
+        if (groups_[g].twoWay())
+            ratios[g] = ratio;
+        else
+            unfelt = unfelt || ratio != 1;
     }
     if (ratios != scalarList(groups_.size(), scalar(1)))
     {

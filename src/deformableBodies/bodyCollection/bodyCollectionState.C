@@ -24,7 +24,8 @@ void Foam::bodyCollection::restore(const snapshot& s)
     forAll(groups_, g)
     {
         bodyGroup& group = groups_[g];
-        while (group.mine().size()) group.release(group.mine().size() - 1);
+        while (group.mine().size())
+            group.release(group.mine().size() - 1);
         forAll(s.numbers[g], i)
         {
             group.insert(s.numbers[g][i], s.states[g][i], dictionary::null);

@@ -21,10 +21,11 @@ Foam::bodyCoupling Foam::readCoupling(const dictionary& dict,
 
 Foam::bodyAccuracy Foam::readAccuracy(const dictionary& dict)
 {
-    return readEnum(Enum<bodyAccuracy>({{bodyAccuracy::draft, "draft"},
-                                        {bodyAccuracy::standard, "standard"},
-                                        {bodyAccuracy::reference, "reference"}}),
-                    dict, "accuracy", bodyAccuracy::standard);
+    return readEnum(
+        Enum<bodyAccuracy>({{bodyAccuracy::draft, "draft"},
+                            {bodyAccuracy::standard, "standard"},
+                            {bodyAccuracy::reference, "reference"}}),
+        dict, "accuracy", bodyAccuracy::standard);
 }
 
 Foam::bodyGroup::bodyGroup(const word& name, const dictionary& dict,
@@ -111,8 +112,8 @@ Foam::string Foam::bodyGroup::nameOf(const label i) const
 void Foam::bodyGroup::insert(const label body, const scalarList& state,
                              const dictionary& source)
 {
-    const label i = std::lower_bound(mine_.begin(), mine_.end(), body) -
-                    mine_.begin();
+    const label i =
+        std::lower_bound(mine_.begin(), mine_.end(), body) - mine_.begin();
     labelList mine(mine_.size() + 1);
     forAll(mine, k)
     {

@@ -9,9 +9,8 @@ void Foam::bodyOwnership::distribute(bodyGroup& group,
     for (label body = 0; body < group.nBodies(); ++body)
     {
         const scalarList state(states.size() ? states[body] : scalarList());
-        const point centre(states.size()
-                               ? group.centreOf(state, body, source)
-                               : group.initialCentre(body));
+        const point centre(states.size() ? group.centreOf(state, body, source)
+                                         : group.initialCentre(body));
         if (neighbours_.holderOfAll(centre) == Pstream::myProcNo())
         {
             group.insert(body, state, source);

@@ -8,8 +8,7 @@
 #include <iomanip>
 #include <sstream>
 
-Foam::bodyWriter::bodyWriter(const Time& time,
-                             const PtrList<bodyGroup>& groups,
+Foam::bodyWriter::bodyWriter(const Time& time, const PtrList<bodyGroup>& groups,
                              effectLedger& effects)
     : time_(time),
       groups_(groups),
@@ -191,4 +190,3 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
         series.write(seriesName);
     }
 }
-

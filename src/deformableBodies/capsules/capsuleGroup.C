@@ -14,7 +14,7 @@ addToRunTimeSelectionTable(bodyGroup, capsuleGroup, dictionary);
 } // namespace Foam
 
 Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
-                         const bodyScene& scene)
+                                 const bodyScene& scene)
     : bodyGroup(name, dict, scene)
 {
     checkEntries(dict, {"type", "shape", "positions", "membrane", "harmonics",
@@ -221,8 +221,7 @@ Foam::point Foam::capsuleGroup::initialCentre(const label body) const
 Foam::point Foam::capsuleGroup::centre(const label i) const
 {
     const numbers& x = capsules_[i].x;
-    return vector(x[0], x[1], x[2]) /
-           std::sqrt(4 * constant::mathematical::pi);
+    return vector(x[0], x[1], x[2]) / std::sqrt(4 * constant::mathematical::pi);
 }
 
 void Foam::capsuleGroup::checkStart(const label i, const dictionary& dict) const
@@ -253,7 +252,7 @@ Foam::label Foam::capsuleGroup::nMarkers() const
 }
 
 void Foam::capsuleGroup::atMarkers(const numbers& coeffs, vector* v,
-                               const scalar factor) const
+                                   const scalar factor) const
 {
     const label n = markerGrid_->nPoints();
     markerGrid_->values(coeffs.data(), onMarkers_.data());
@@ -315,9 +314,14 @@ Foam::bodyPoints Foam::capsuleGroup::pointsOf(const label body,
                                               const numbers& velocity) const
 {
     const label n = markerGrid_->nPoints();
-    bodyPoints p{name(),         body, vectorField(n),
-                 vectorField(n), vectorField(n), scalarField(),
-                 0,              membrane_->model().shearModulus()};
+    bodyPoints p{name(),
+                 body,
+                 vectorField(n),
+                 vectorField(n),
+                 vectorField(n),
+                 scalarField(),
+                 0,
+                 membrane_->model().shearModulus()};
     atMarkers(x, p.places.data(), 1);
     atMarkers(velocity, p.velocities.data(), 1);
     areas(x, p.areas.data());

@@ -98,7 +98,7 @@ void Foam::capsuleGroup::volumeGradient(const numbers& x, numbers& g) const
 }
 
 Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
-                                         const bodyStep& s)
+                                      const bodyStep& s)
 {
     const scalar dt = s.dt;
     const auto timing(scene_.effects.time("membrane"));

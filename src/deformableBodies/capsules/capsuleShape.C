@@ -180,7 +180,7 @@ Foam::point Foam::capsuleGroup::centreOf(const scalarList& state,
 }
 
 void Foam::capsuleGroup::setState(const label i, const scalarList& state,
-                              const dictionary& source)
+                                  const dictionary& source)
 {
     capsule& c = capsules_[i];
     const label n = c.x.size();

@@ -72,7 +72,8 @@ public:
         List<List<pointIndexHit>> met;
         search_.findLineAll(pointField(1, centre_),
                             pointField(1, centre_ + reach_ * e), met);
-        if (met[0].empty()) refuseFile("has a hole, or its centre lies outside");
+        if (met[0].empty())
+            refuseFile("has a hole, or its centre lies outside");
 
         const scalar distance = mag(met[0][0].hitPoint() - centre_);
         for (const pointIndexHit& hit : met[0])

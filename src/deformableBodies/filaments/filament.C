@@ -273,7 +273,7 @@ bool Foam::filament::step(const scalar dt, const surroundings& s)
     {
         const filament before(*this);
         if (!(all_->scheme == IMPLICIT ? halves(dt, s, 6)
-                                      : twoStep(dt, s.force)))
+                                       : twoStep(dt, s.force)))
         {
             X_ = before.X_;
             V_ = before.V_;

@@ -27,7 +27,7 @@ static const Enum<filament::schemeType> schemeNames{
 } // namespace Foam
 
 Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
-                           const bodyScene& scene)
+                                   const bodyScene& scene)
     : bodyGroup(name, dict, scene)
 {
     checkEntries(dict, {"type", "length", "diameter", "segments",
@@ -92,8 +92,8 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
     const bool heavy = readGravity(dict);
     if (heavy)
     {
-        scene.forces.append(new weight(
-            name, (ratio - (alone() ? 0 : 1)) * scene.rho * scene.g));
+        scene.forces.append(new weight(name, (ratio - (alone() ? 0 : 1)) *
+                                                 scene.rho * scene.g));
     }
     properties_.scheme =
         readEnum(schemeNames, dict, "scheme", filament::IMPLICIT);
@@ -102,7 +102,8 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
         refuse(dict, "scheme", schemeNames[properties_.scheme],
                "implicit, or coupling none");
     }
-    thickness_ = twoWay() ? 2 * markerLine::radius(scene.kernel) * h_ : diameter;
+    thickness_ =
+        twoWay() ? 2 * markerLine::radius(scene.kernel) * h_ : diameter;
     readCouplingEntries(dict);
 
     readStart(dict);
@@ -143,8 +144,7 @@ void Foam::filamentGroup::readStart(const dictionary& dict)
         if (!(mag(t) > 0)) refuse(dict, "directions", "(0 0 0)", "directions");
 
         // Held and straight, any tension would do
-        if (heldAtBoth &&
-            !(mag(bow_ ^ t) > 1e-6 * properties_.length * mag(t)))
+        if (heldAtBoth && !(mag(bow_ ^ t) > 1e-6 * properties_.length * mag(t)))
         {
             OStringStream given;
             given << bow_;
@@ -160,12 +160,11 @@ void Foam::filamentGroup::insertBody(const label i, const label number)
     filament x(properties_, firstShape(number));
     x.clamp(0, directions_[number]);
     x.clamp(1, directions_[number]);
-    bodies_.insert(
-        bodies_.begin() + i,
-        body{x, vectorField(points_.size(), Zero), x.places(),
-             vectorField(markersEach()),
-             vectorField(twoWay() ? markersEach() : 0, Zero),
-             x.places()[movedEnd() * properties_.segments], 0, 1});
+    bodies_.insert(bodies_.begin() + i,
+                   body{x, vectorField(points_.size(), Zero), x.places(),
+                        vectorField(markersEach()),
+                        vectorField(twoWay() ? markersEach() : 0, Zero),
+                        x.places()[movedEnd() * properties_.segments], 0, 1});
 }
 
 void Foam::filamentGroup::eraseBody(const label i)
@@ -200,6 +199,17 @@ void Foam::filamentGroup::readCouplingEntries(const dictionary& dict)
     }
     if (alone()) return;
 
+    // Of cells that are not cubes the diameter depends on the direction
+    const scalar stretch = cmptMax(scene_.grid.h()) / cmptMin(scene_.grid.h());
+    if (twoWay() && stretch > 1.25 * (1 + 1e-6))
+    {
+        refuse(dict, "coupling",
+               "twoWay on cells of sides 1 : " + Foam::name(stretch),
+               "cells of sides up to 1 : 1.25, or oneWay (in two-way coupling "
+               "the cells are the thickness of a filament; beyond, drag and "
+               "rotation err by more than 5 and 8 %)");
+    }
+
     const scalar pi = constant::mathematical::pi, L = properties_.length;
     const scalar slender = std::log(2 * L / thickness_);
     if (twoWay() ? L < 3 * h_ : slender < 1.807)
@@ -211,7 +221,8 @@ void Foam::filamentGroup::readCouplingEntries(const dictionary& dict)
                               " at this length, for the drag of a slender "
                               "body");
     }
-    const scalar inset = twoWay() ? markerLine::endInset(scene_.kernel) * h_ : 0;
+    const scalar inset =
+        twoWay() ? markerLine::endInset(scene_.kernel) * h_ : 0;
     const bool limp = properties_.rigidity == 0 && properties_.mass == 0;
     if (twoWay() && limp)
     {

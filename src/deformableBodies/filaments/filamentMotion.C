@@ -87,9 +87,14 @@ Foam::bodyPoints Foam::filamentGroup::pointsOf(const label number,
                                                const vectorField& X,
                                                const vectorField& V) const
 {
-    bodyPoints p{name(),        number,        X,
-                 V,             vectorField(), scalarField(X.size()),
-                 crossSection_, properties_.rigidity / pow3(properties_.ds())};
+    bodyPoints p{name(),
+                 number,
+                 X,
+                 V,
+                 vectorField(),
+                 scalarField(X.size()),
+                 crossSection_,
+                 properties_.rigidity / pow3(properties_.ds())};
     forAll(X, i)
     {
         p.lengths[i] = properties_.lengthOf(i);
@@ -189,7 +194,8 @@ void Foam::filamentGroup::shareAmongLines(const scalar* lineDensity,
     forAll(around.couple, i)
     {
         // The nearest marker before the end of the segment
-        while (k + 1 < points_.size() && points_[k + 1].segment <= i) ++k;
+        while (k + 1 < points_.size() && points_[k + 1].segment <= i)
+            ++k;
         around.couple[i] /= lineDensity[k];
     }
 }

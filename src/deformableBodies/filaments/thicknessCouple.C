@@ -27,7 +27,8 @@ Foam::scalar Foam::thicknessCouple::resolved(const deltaKernel& kernel,
                                              const scalar mu, const scalar h)
 {
     const scalar beta = kernel.type() == deltaKernel::Roma3 ? 0.0588 : 0.0431;
-    const scalar K = constant::mathematical::twoPi * sqr(markerLine::radius(kernel));
+    const scalar K =
+        constant::mathematical::twoPi * sqr(markerLine::radius(kernel));
     return mu * sqr(h) * K / (1 - beta * K);
 }
 

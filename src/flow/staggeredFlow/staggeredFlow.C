@@ -80,8 +80,8 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
         refuse(controls, "diffusion", "FFT",
                "auto, ADI or explicit where two directions have walls");
     }
-    mayTransform_ = diffusion_ == FFT ||
-                    (diffusion_ == AUTO && stiffBodies && nWalled < 2);
+    mayTransform_ =
+        diffusion_ == FFT || (diffusion_ == AUTO && stiffBodies && nWalled < 2);
 
     // First, as making it takes memory for a moment
     {
@@ -377,8 +377,8 @@ void Foam::staggeredFlow::step(const scalar dt)
 
 Foam::staggeredFlow::snapshot Foam::staggeredFlow::save() const
 {
-    return {u_,        last_,   pressure_,   hasLast_, explicit_,
-            chosen_,   transforms_, lastDt_, walls_};
+    return {u_,      last_,       pressure_, hasLast_, explicit_,
+            chosen_, transforms_, lastDt_,   walls_};
 }
 
 void Foam::staggeredFlow::restore(const snapshot& s)

@@ -97,8 +97,7 @@ void Foam::staggeredFlow::explicitTerms(const scalar dt, const stage& weight,
     // The velocity on a wall stays
     if (block_.wallBelow(D))
     {
-        box_.layer(D, 0,
-                   [&](const label i) { force[i] = last_[D][i] = 0; });
+        box_.layer(D, 0, [&](const label i) { force[i] = last_[D][i] = 0; });
     }
 }
 

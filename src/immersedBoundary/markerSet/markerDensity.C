@@ -71,7 +71,8 @@ void Foam::markerSet::lineDensity(const labelUList& line,
                                   scalarField& density) const
 {
     const scalar reach = 1.5;
-    const label sameLine = 4; // markers further apart in the list meet by chance
+    const label sameLine =
+        4; // markers further apart in the list meet by chance
 
     // Line of each marker here, and its number in the list of its owner
     scalarField ids(2 * nOwn_);
@@ -93,8 +94,8 @@ void Foam::markerSet::lineDensity(const labelUList& line,
         label line, number, next;
     };
     std::vector<entry> all(X_.size());
-    std::vector<label> firstIn(
-        bins[0].nBins * bins[1].nBins * bins[2].nBins, -1);
+    std::vector<label> firstIn(bins[0].nBins * bins[1].nBins * bins[2].nBins,
+                               -1);
     forAll(X_, k)
     {
         entry& e = all[k];

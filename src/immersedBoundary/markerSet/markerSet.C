@@ -348,29 +348,28 @@ template<int n>
 void Foam::markerSet::gatherWhole(const List<staggeredView>& u,
                                   UList<vector>& U) const
 {
-    eachWhole<n>(
-        u,
-        [&](const label marker, const direction d, const staggeredView& v,
-            const label first, const scalar* wx, const scalar* wy,
-            const scalar* wz)
-        {
-            const scalar* p = v.first[d] + first;
-            scalar sum = 0;
-            for (int z = 0; z < n; ++z)
-            {
-                for (int y = 0; y < n; ++y)
-                {
-                    const scalar* row = p + z * v.layer + y * v.row;
-                    scalar part = 0;
-                    for (int x = 0; x < n; ++x)
-                    {
-                        part += wx[x] * row[x];
-                    }
-                    sum += wy[y] * wz[z] * part;
-                }
-            }
-            U[marker][d] += v.factor * sum;
-        });
+    eachWhole<n>(u,
+                 [&](const label marker, const direction d,
+                     const staggeredView& v, const label first,
+                     const scalar* wx, const scalar* wy, const scalar* wz)
+                 {
+                     const scalar* p = v.first[d] + first;
+                     scalar sum = 0;
+                     for (int z = 0; z < n; ++z)
+                     {
+                         for (int y = 0; y < n; ++y)
+                         {
+                             const scalar* row = p + z * v.layer + y * v.row;
+                             scalar part = 0;
+                             for (int x = 0; x < n; ++x)
+                             {
+                                 part += wx[x] * row[x];
+                             }
+                             sum += wy[y] * wz[z] * part;
+                         }
+                     }
+                     U[marker][d] += v.factor * sum;
+                 });
 }
 
 void Foam::markerSet::gather(const List<staggeredView>& u,
@@ -396,8 +395,8 @@ void Foam::markerSet::gather(const List<staggeredView>& u,
                                const scalar* values = v.first[d] + row;
                                for (label i = 0; i < sx.size; ++i)
                                {
-                                   sum += weight * sx.weight[i] *
-                                          values[sx.at[i]];
+                                   sum +=
+                                       weight * sx.weight[i] * values[sx.at[i]];
                                }
                            });
                 U[s.marker][d] += v.factor * sum;
@@ -411,27 +410,26 @@ void Foam::markerSet::scatterWhole(const UList<vector>& F,
                                    const staggeredView& perVolume,
                                    staggeredField& f) const
 {
-    eachWhole<n>(
-        {perVolume},
-        [&](const label marker, const direction d, const staggeredView& v,
-            const label first, const scalar* wx, const scalar* wy,
-            const scalar* wz)
-        {
-            scalar* p = f[d].data() + first;
-            const scalar value = v.factor * F[marker][d];
-            for (int z = 0; z < n; ++z)
-            {
-                for (int y = 0; y < n; ++y)
-                {
-                    scalar* row = p + z * v.layer + y * v.row;
-                    const scalar weight = value * wy[y] * wz[z];
-                    for (int x = 0; x < n; ++x)
-                    {
-                        row[x] += weight * wx[x];
-                    }
-                }
-            }
-        });
+    eachWhole<n>({perVolume},
+                 [&](const label marker, const direction d,
+                     const staggeredView& v, const label first,
+                     const scalar* wx, const scalar* wy, const scalar* wz)
+                 {
+                     scalar* p = f[d].data() + first;
+                     const scalar value = v.factor * F[marker][d];
+                     for (int z = 0; z < n; ++z)
+                     {
+                         for (int y = 0; y < n; ++y)
+                         {
+                             scalar* row = p + z * v.layer + y * v.row;
+                             const scalar weight = value * wy[y] * wz[z];
+                             for (int x = 0; x < n; ++x)
+                             {
+                                 row[x] += weight * wx[x];
+                             }
+                         }
+                     }
+                 });
 }
 
 void Foam::markerSet::scatter(const UList<vector>& F, staggeredField& f) const

@@ -46,8 +46,8 @@ void Foam::blockNeighbours::widen(const label reach)
                                      grid_.periodic(d));
             };
             const label last = mine.lo[d] + mine.size[d] - 1;
-            const bool overlap = b.lo[d] <= last &&
-                                 mine.lo[d] <= b.lo[d] + b.size[d] - 1;
+            const bool overlap =
+                b.lo[d] <= last && mine.lo[d] <= b.lo[d] + b.size[d] - 1;
             within = within && (overlap || min(between(mine.lo[d]),
                                                between(last)) <= reach);
         }
@@ -165,17 +165,19 @@ void Foam::blockNeighbours::exchange(const List<scalarField>& out,
         }
         const auto one = [](label) { return std::streamsize(sizeof(label)); };
         pass(
-            one, [&](label i)
-            { return reinterpret_cast<const char*>(&outSizes[i]); },
             one,
-            [&](label i) { return reinterpret_cast<char*>(&inSizes[i]); });
+            [&](label i)
+            { return reinterpret_cast<const char*>(&outSizes[i]); },
+            one, [&](label i) { return reinterpret_cast<char*>(&inSizes[i]); });
         forAll(in, i)
         {
             in[i].setSize(inSizes[i]);
         }
     }
-    pass([&](label i) { return std::streamsize(out[i].size() * sizeof(scalar)); },
+    pass([&](label i)
+         { return std::streamsize(out[i].size() * sizeof(scalar)); },
          [&](label i) { return reinterpret_cast<const char*>(out[i].cdata()); },
-         [&](label i) { return std::streamsize(in[i].size() * sizeof(scalar)); },
+         [&](label i)
+         { return std::streamsize(in[i].size() * sizeof(scalar)); },
          [&](label i) { return reinterpret_cast<char*>(in[i].data()); });
 }

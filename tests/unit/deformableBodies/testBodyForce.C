@@ -11,8 +11,14 @@ namespace
 //- A line of four points along (1 1 0), the inner ones standing for 2
 bodyPoints thread()
 {
-    bodyPoints p{"fibres", 0, vectorField(4), vectorField(4, Zero),
-                 vectorField(), scalarField(4, 2.0), 0.5, 1};
+    bodyPoints p{"fibres",
+                 0,
+                 vectorField(4),
+                 vectorField(4, Zero),
+                 vectorField(),
+                 scalarField(4, 2.0),
+                 0.5,
+                 1};
     p.lengths.first() = p.lengths.last() = 1;
     forAll(p.places, i)
     {
@@ -24,8 +30,14 @@ bodyPoints thread()
 //- Six faces of a cube of side 2 about (5 0 0)
 bodyPoints cube()
 {
-    bodyPoints p{"cells", 0, vectorField(6), vectorField(6, Zero),
-                 vectorField(6), scalarField(), 0, 1};
+    bodyPoints p{"cells",
+                 0,
+                 vectorField(6),
+                 vectorField(6, Zero),
+                 vectorField(6),
+                 scalarField(),
+                 0,
+                 1};
     for (direction d = 0; d < 3; ++d)
     {
         for (const label side : {0, 1})
@@ -64,7 +76,7 @@ TEST(BodyForce, deadLoadKeepsItsDirection)
 TEST(BodyForce, followerLoadActsAlongTheLine)
 {
     const vectorField F(on(thread(), "type followerLoad; group fibres; "
-                                   "force table ((0 0) (1 4)); at first;"));
+                                     "force table ((0 0) (1 4)); at first;"));
     EXPECT_NEAR(mag(F[0] - std::sqrt(2.0) * vector(1, 1, 0)), 0, 1e-15);
     EXPECT_EQ(mag(F[1]) + mag(F[2]) + mag(F[3]), 0);
 }

@@ -35,8 +35,7 @@ TEST(FlowAlgorithm, refusesWhatCannotBe)
 
 TEST(FlowAlgorithm, knowsTheModels)
 {
-    test::box b(labelVector(4, 4, 4), vector(1, 1, 1), {false, true, false},
-                1);
+    test::box b(labelVector(4, 4, 4), vector(1, 1, 1), {false, true, false}, 1);
     const auto obstacle = [&](const word& transport, const word& turbulence)
     {
         return flowAlgorithm::obstacle(*b.U, *b.p, fv::optionList(b.mesh()),

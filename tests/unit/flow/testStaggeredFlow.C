@@ -252,9 +252,10 @@ TEST(StaggeredFlow, canBeTakenBack)
     for (const char* controls :
          {"timeScheme AB2;", "timeScheme RK3;", "diffusion FFT;"})
     {
-        test::box b(labelVector(8, 6, 6), vector(1, 1, 1),
-                    {false, true, false}, 0.02);
-        b.start([](const point& x) { return test::noise(x) * vector(1, 1, 1); });
+        test::box b(labelVector(8, 6, 6), vector(1, 1, 1), {false, true, false},
+                    0.02);
+        b.start([](const point& x)
+                { return test::noise(x) * vector(1, 1, 1); });
         const auto flow = b.flow(controls);
         flow->step(0.01);
         const auto before = flow->save();

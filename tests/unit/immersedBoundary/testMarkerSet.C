@@ -196,9 +196,7 @@ TEST_P(MarkerSet, countsLinesInOnePlace)
             // Where the one across touches them, and where nobody does. A box
             // shorter than a line in some direction brings it back onto itself
             const label at = k % each;
-            const label lines = at == middle     ? n + 1
-                                : line[k] == 77 ? 1
-                                                : n;
+            const label lines = at == middle ? n + 1 : line[k] == 77 ? 1 : n;
             if (mag(at - middle) == 1) continue;
             if (grid().n()[line[k] == 77 ? 1 : 0] < each + 2) continue;
             EXPECT_NEAR(density[k], lines, 1e-12) << "marker " << at;

@@ -22,9 +22,9 @@ vectorField points(const label n)
         const vector s(random.sample01<vector>());
         for (direction d = 0; d < 3; ++d)
         {
-            x[d] = grid().origin()[d] +
-                   grid().length()[d] *
-                       (grid().periodic(d) ? 3 * s[d] - 1 : s[d]);
+            x[d] =
+                grid().origin()[d] +
+                grid().length()[d] * (grid().periodic(d) ? 3 * s[d] - 1 : s[d]);
         }
     }
     return X;
@@ -55,7 +55,8 @@ TEST(BlockNeighbours, findsWhoHasCellsNearAPoint)
     for (const vector& x : X)
     {
         labelList found;
-        neighbours.each(neighbours.near(margin), x, [&](const label i)
+        neighbours.each(neighbours.near(margin), x,
+                        [&](const label i)
                         { found.append(neighbours.ranks()[i]); });
         labelList expected;
         forAll(boxes, proci)
@@ -107,7 +108,8 @@ TEST(BlockNeighbours, messagesArrive)
         }
         if (!again)
         {
-            for (scalarField& f : in) f = -1;
+            for (scalarField& f : in)
+                f = -1;
             neighbours.exchange(out, in, true);
         }
     }
