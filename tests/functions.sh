@@ -259,3 +259,22 @@ internalField uniform 0;
 boundaryField { ".*" { type cyclic; } }
 P
 }
+
+# scattered <number> <half x> <half y> <half z> [<length> <gap>]: the entries
+# positions and directions of filaments anywhere in a box about the origin; those
+# of a length end that far from the walls in y
+scattered()
+{
+    "$DEFORMABLE_BODIES_DIR/bin/python" - "$@" <<'PY'
+import sys
+import numpy as np
+number, half, beyond = int(sys.argv[1]), np.array(sys.argv[2:5], float), sum(map(float, sys.argv[5:]))
+r = np.random.default_rng(1)
+t = r.normal(size=(number, 3))
+t /= np.linalg.norm(t, axis=1)[:, None]
+x = r.uniform(-half, half, (number, 3))
+x[:, 1] *= 1 - beyond/half[1]
+rows = lambda v: "(" + "".join("(%.9g %.9g %.9g)\n" % tuple(p) for p in v) + ");"
+print("positions " + rows(x) + "\ndirections " + rows(t))
+PY
+}
