@@ -33,3 +33,13 @@ Foam::scalar Foam::readPositive(const dictionary& dict, const word& name,
     }
     return value;
 }
+
+Foam::string Foam::oneOf(const wordList& words)
+{
+    string all;
+    for (const word& w : words)
+    {
+        all += (all.empty() ? "" : " ") + w;
+    }
+    return "(" + all + ")";
+}

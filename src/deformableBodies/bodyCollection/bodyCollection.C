@@ -171,9 +171,7 @@ void Foam::bodyCollection::readLoads(const dictionary& loads)
         const label g = names.find(group);
         if (g < 0)
         {
-            OStringStream allowed;
-            allowed << flatOutput(names);
-            refuse(load, "group", group, allowed.str());
+            refuse(load, "group", group, oneOf(names));
         }
         forces_.append(bodyForce::New(load, groups_[g].points(-1)).ptr());
         effects_.declare(forces_.last().effect(), true, name);

@@ -44,9 +44,8 @@ Foam::autoPtr<Foam::bodyGroup> Foam::bodyGroup::New(const word& name,
     auto cstr = dictionaryConstructorTablePtr_->cfind(type);
     if (!cstr.found())
     {
-        OStringStream allowed;
-        allowed << flatOutput(dictionaryConstructorTablePtr_->sortedToc());
-        refuse(dict, "type", type, allowed.str());
+        refuse(dict, "type", type,
+               oneOf(dictionaryConstructorTablePtr_->sortedToc()));
     }
     return cstr()(name, dict, scene);
 }

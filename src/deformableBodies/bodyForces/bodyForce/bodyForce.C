@@ -16,9 +16,8 @@ Foam::autoPtr<Foam::bodyForce> Foam::bodyForce::New(const dictionary& dict,
     auto cstr = dictionaryConstructorTablePtr_->cfind(type);
     if (!cstr.found())
     {
-        OStringStream allowed;
-        allowed << flatOutput(dictionaryConstructorTablePtr_->sortedToc());
-        refuse(dict, "type", type, allowed.str());
+        refuse(dict, "type", type,
+               oneOf(dictionaryConstructorTablePtr_->sortedToc()));
     }
     return cstr()(dict, body);
 }
