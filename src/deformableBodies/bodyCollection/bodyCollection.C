@@ -3,6 +3,7 @@
 #include "bodyCollection.H"
 #include "dictionaryChecks.H"
 #include "fvc.H"
+#include "OSspecific.H"
 #include "uniformDimensionedFields.H"
 
 namespace Foam
@@ -22,6 +23,19 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh)
                 IOobject::MUST_READ, IOobject::NO_WRITE, false);
     if (!io.typeHeaderOk<IOdictionary>(true))
     {
+        const fileName file(io.objectPath());
+        for (const fileName& name :
+             {file, mesh.time().globalPath() / mesh.time().constant() / io.name()})
+        {
+            if (returnReduce(isFile(name, false), orOp<bool>()))
+            {
+                FatalErrorInFunction
+                    << "file " << name << " cannot be read: it must begin with"
+                    << nl << "    FoamFile { version 2.0; format ascii; class "
+                    << "dictionary; object deformableBodies; }"
+                    << exit(FatalError);
+            }
+        }
         effects_.declare("bodies", false, "no constant/deformableBodies");
         writeOpt() = IOobject::NO_WRITE;
         return;
@@ -106,6 +120,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                           effects_};
     bool feedback = false, inFluid = false;
     const dictionary& bodies = dict.subDict("bodies");
+    if (bodies.empty()) refuse(dict, "bodies", "{}", "one group and more");
     for (const word& name : bodies.toc())
     {
         groups_.append(bodyGroup::New(name, bodies.subDict(name), scene).ptr());

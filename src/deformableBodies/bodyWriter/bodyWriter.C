@@ -16,6 +16,8 @@ Foam::bodyWriter::bodyWriter(const Time& time, const PtrList<bodyGroup>& groups,
       startTime_(time.value()),
       startIndex_(time.timeIndex())
 {
+    effects_.declare("samples", true, "postProcessing/bodies");
+    effects_.declare("pictures", true, "VTK/bodies");
 }
 
 void Foam::bodyWriter::start()
@@ -26,6 +28,7 @@ void Foam::bodyWriter::start()
 
 void Foam::bodyWriter::sample(const scalar now)
 {
+    const auto timing(effects_.time("samples"));
     if (Pstream::master() && files_.empty())
     {
         const fileName dir(time_.globalPath() / "postProcessing" / "bodies" /
@@ -104,6 +107,7 @@ static void polygonsToLines(const Foam::fileName& file)
 
 void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
 {
+    const auto timing(effects_.time("pictures"));
     const fileName dir(time_.globalPath() / "VTK" / "bodies");
 
     forAll(groups_, g)

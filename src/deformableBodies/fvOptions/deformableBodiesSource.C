@@ -24,6 +24,13 @@ Foam::fv::deformableBodiesSource::deformableBodiesSource(const word& name,
 {
     fieldNames_.setSize(1, coeffs_.getOrDefault<word>("U", "U"));
     applied_.setSize(1, false);
+    if (bodies_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "option " << name << " of type deformableBodies: there are no "
+            << "bodies, as there is no file constant/deformableBodies"
+            << exit(FatalIOError);
+    }
 }
 
 void Foam::fv::deformableBodiesSource::addSup(fvMatrix<vector>& eqn,
