@@ -25,13 +25,15 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh)
     {
         const fileName file(io.objectPath());
         for (const fileName& name :
-             {file, mesh.time().globalPath() / mesh.time().constant() / io.name()})
+             {file,
+              mesh.time().globalPath() / mesh.time().constant() / io.name()})
         {
             if (returnReduce(isFile(name, false), orOp<bool>()))
             {
                 FatalErrorInFunction
-                    << "file " << name << " cannot be read: it must begin with"
-                    << nl << "    FoamFile { version 2.0; format ascii; class "
+                    << "file " << name.c_str()
+                    << " cannot be read: it must begin with" << nl
+                    << "    FoamFile { version 2.0; format ascii; class "
                     << "dictionary; object deformableBodies; }"
                     << exit(FatalError);
             }
