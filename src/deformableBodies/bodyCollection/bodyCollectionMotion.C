@@ -66,12 +66,13 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
     if (sampleDue()) observe(u);
     if (!alone_ && groups.size())
     {
-        place(groups, 0);
+        place(groups, time.deltaTValue());
         const auto timing(effects_.time("interpolation"));
         markers_->interpolate({u}, U_);
     }
     if (contrast_) updateViscosity(groups, force);
     move(groups, false, 1);
+    if (diverged_) return;
 
     force.clear();
     const vectorField X(collectLoads(groups));
@@ -86,7 +87,7 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
 void Foam::bodyCollection::moveWithPrediction(const velocityPrediction& p)
 {
     const labelList groups(groupsThat(true));
-    if (groups.empty()) return;
+    if (groups.empty() || diverged_) return;
 
     // The force of the last step, where the markers are now
     place(groups, mesh_.time().deltaTValue());
@@ -105,6 +106,7 @@ void Foam::bodyCollection::moveWithPrediction(const velocityPrediction& p)
         markers_->interpolate(p.u, U_);
     }
     move(groups, true, p.impulseFraction);
+    if (diverged_) return;
 
     // And what it has changed by
     collectLoads(groups);

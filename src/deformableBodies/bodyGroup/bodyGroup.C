@@ -113,12 +113,12 @@ void Foam::bodyGroup::insert(const label body, const scalarList& state,
 {
     const label i =
         std::lower_bound(mine_.begin(), mine_.end(), body) - mine_.begin();
-    labelList mine(mine_.size() + 1);
-    forAll(mine, k)
+    mine_.append(body);
+    for (label k = mine_.size() - 1; k > i; --k)
     {
-        mine[k] = k < i ? mine_[k] : k == i ? body : mine_[k - 1];
+        mine_[k] = mine_[k - 1];
     }
-    mine_.transfer(mine);
+    mine_[i] = body;
     insertBody(i, body);
     if (state.size())
         setState(i, state, source);

@@ -3,6 +3,8 @@
 #include "bodyWriter.H"
 #include "foamVtkSeriesWriter.H"
 #include "foamVtkSurfaceWriter.H"
+#include "IPstream.H"
+#include "OPstream.H"
 #include "OSspecific.H"
 #include <fstream>
 #include <iomanip>
@@ -105,6 +107,28 @@ static void polygonsToLines(const Foam::fileName& file)
     std::ofstream(file) << s;
 }
 
+// The first rank may have no body to know from how all of them are drawn
+static void shareLayout(const Foam::bodyGroup& group, Foam::bodySurface& layout)
+{
+    using namespace Foam;
+    label from = group.mine().size() ? Pstream::myProcNo() : labelMax;
+    reduce(from, minOp<label>());
+    if (from == Pstream::masterNo()) return;
+    if (Pstream::myProcNo() == from)
+    {
+        OPstream os(Pstream::commsTypes::blocking, Pstream::masterNo());
+        os << label(layout.lines) << layout.faces << layout.scalarNames
+           << layout.vectorNames;
+    }
+    if (Pstream::master())
+    {
+        IPstream is(Pstream::commsTypes::blocking, from);
+        label lines;
+        is >> lines >> layout.faces >> layout.scalarNames >> layout.vectorNames;
+        layout.lines = lines;
+    }
+}
+
 void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
 {
     const auto timing(effects_.time("pictures"));
@@ -121,6 +145,7 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
                                            layout = group.surface(i);
                                            return packed(layout);
                                        }));
+        shareLayout(group, layout);
         if (!Pstream::master() || bodies.empty()) continue;
 
         const label nPoints = bodies[0][0].size();

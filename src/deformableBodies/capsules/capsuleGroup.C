@@ -203,7 +203,7 @@ void Foam::capsuleGroup::insertBody(const label i, const label body)
     }
     c.xMid = c.x;
     c.velocity.assign(c.x.size(), 0);
-    if (penalty_) c.lag = c.lagBefore = c.velocity;
+    if (penalty_) c.load = c.lag = c.lagBefore = c.velocity;
     capsules_.insert(capsules_.begin() + i, c);
 }
 

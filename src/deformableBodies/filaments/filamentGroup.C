@@ -137,6 +137,19 @@ void Foam::filamentGroup::readStart(const dictionary& dict)
         refuse(dict, "bow", Foam::name(mag(bow_)) + " m",
                "up to 0.3 of the length");
     }
+    const vector L(scene_.grid.length());
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (scene_.grid.periodic(d) && properties_.length > 0.5 * L[d])
+        {
+            IOWarningInFunction(dict)
+                << "filaments of length " << properties_.length
+                << " in a periodic box of " << L[d] << " in direction "
+                << vector::componentNames[d]
+                << ": they meet their own images; keep below half the box"
+                << endl;
+        }
+    }
     const bool heldAtBoth = properties_.ends[0] != filament::FREE &&
                             properties_.ends[1] != filament::FREE;
     for (const vector& t : directions_)
@@ -283,18 +296,4 @@ void Foam::filamentGroup::checkStart(const label i,
 {
     const label number = mine()[i];
     checkWalls(dict, number, boundBox(bodies_[i].line.places(), false));
-    const vector L(scene_.grid.length());
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (number == 0 && scene_.grid.periodic(d) &&
-            properties_.length > 0.5 * L[d])
-        {
-            IOWarningInFunction(dict)
-                << "filaments of length " << properties_.length
-                << " in a periodic box of " << L[d] << " in direction "
-                << vector::componentNames[d]
-                << ": they meet their own images; keep below half the box"
-                << endl;
-        }
-    }
 }

@@ -122,8 +122,9 @@ bool Foam::filamentGroup::moveOne(const label i, const vector* U,
     around.force = Zero;
     if (scene_.forces.actOn(name()))
     {
-        x.line.ahead(s.dt, x.ahead);
-        const bodyPoints p(pointsOf(mine()[i], x.ahead, x.line.velocities()));
+        vectorField ahead;
+        x.line.ahead(s.dt, ahead);
+        const bodyPoints p(pointsOf(mine()[i], ahead, x.line.velocities()));
         around.force = scene_.forces.on(p, s.time, scene_.effects) / p.lengths;
     }
     if (base_.valid())

@@ -27,6 +27,20 @@ Foam::flowAlgorithm::flowAlgorithm(const dictionary& controls,
     }
 }
 
+Foam::flowAlgorithm::flowAlgorithm(const dictionary& controls,
+                                   const volVectorField& U,
+                                   const volScalarField& p,
+                                   const fv::optionList& sources,
+                                   const word& transport,
+                                   const word& turbulence)
+    : flowAlgorithm(controls,
+                    controls.getOrDefault<word>("flowAlgorithm", "auto") ==
+                            "pimple"
+                        ? string()
+                        : obstacle(U, p, sources, transport, turbulence))
+{
+}
+
 Foam::string Foam::flowAlgorithm::obstacle(const volVectorField& U,
                                            const volScalarField& p,
                                            const fv::optionList& sources,

@@ -394,6 +394,7 @@ void Foam::staggeredFlow::restore(const snapshot& s)
     walls_ = s.walls;
     wallsAhead_ = s.walls;
     responseTo_ = -1;
+    if (history_) history_->rename(history::nameOf(explicit_));
 }
 
 Foam::scalar Foam::staggeredFlow::CourantNo(const scalar dt) const

@@ -26,11 +26,12 @@ struct binsOfDirection
           n(grid.n()[d]),
           lo(grid.box().lo[d]),
           periodic(grid.periodic(d)),
-          whole(grid.box().size[d] == grid.n()[d])
+          whole(grid.box().size[d] == grid.n()[d] ||
+                (periodic && grid.n()[d] - grid.box().size[d] < 3))
     {
         const label size = grid.box().size[d];
         below = whole ? 0 : 0.5 * (n - size);
-        nBins = whole ? max(size / 3, label(1)) : size / 3 + 3;
+        nBins = whole ? max(grid.n()[d] / 3, label(1)) : size / 3 + 3;
         scale = whole ? nBins / n : 1.0 / 3;
     }
 

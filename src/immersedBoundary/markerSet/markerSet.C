@@ -180,7 +180,7 @@ bool Foam::markerSet::makeWhole(const vector& x, label* first,
             const label least =
                 kind == 0 && lo == 0 && !grid_.periodic(d) ? 1 : lo;
             *first = lowest - lo;
-            if (lowest < least || *first + n > grid_.box().size[d])
+            if (!(lowest >= least && lowest <= lo + grid_.box().size[d] - n))
             {
                 return false;
             }

@@ -38,7 +38,7 @@ Foam::haloBlock::haloBlock(const uniformGrid& grid)
     // The two z layers whole; then y without their edges; then x
     for (const direction d : {2, 1, 0})
     {
-        for (const label at : {-1, box_.size[d]})
+        for (const label at : {label(-1), box_.size[d]})
         {
             layer(d, at,
                   [&](const labelVector& l)
