@@ -117,6 +117,26 @@ replace()
     done
 }
 
+# stops "what" "pattern" <command>...: the command ends with another status than 0,
+# within two minutes, and its output has the sentence (a regular expression; line
+# breaks count as blanks)
+stops() { outcome stops "$@"; }
+
+# goesOn "what" "pattern" <command>...: the same with status 0
+goesOn() { outcome goesOn "$@"; }
+
+outcome()
+{
+    local expected=$1 what=$2 pattern=$3 status
+    shift 3
+    timeout 120 "$@" > log.outcome 2>&1
+    status=$?
+    check "$what: $expected" \
+        test "$( ((status == 0)) && echo goesOn || echo stops)" = "$expected" -a $status -ne 124
+    check "    says: $pattern" \
+        grep -qE -e "$pattern" <(tr '\n' ' ' < log.outcome | tr -s ' ')
+}
+
 # googleTests <command>...: its output, and its tests counted with those of this
 # script
 googleTests()
