@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "filament.H"
+#include "filamentNewton.H"
 
 Foam::filament::filament(const properties& all, const point& first,
                          const vector& direction)
@@ -69,184 +70,8 @@ void Foam::filament::ahead(const scalar dt, vectorField& X) const
 
 bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
 {
-    const label N = all_->segments, n = 4 * N + 3;
-    const scalar ds = all_->ds(), stiffness = all_->rigidity / pow3(ds);
-
-    // BDF2; the first step is of first order
-    const bool first = lastDeltaT_ == 0;
-    const scalar r = first ? 0 : dt / lastDeltaT_;
-    const scalar c0 = first ? 1 / dt : (1 + 2 * r) / ((1 + r) * dt);
-    const scalar c1 = first ? -1 / dt : -(1 + r) / dt;
-    const scalar c2 = first ? 0 : sqr(r) / ((1 + r) * dt);
-
-    // Newton's method from an extrapolation, with the first matrix for as long as
-    // that converges well,
-    // in work space that all filaments share
-    static bandedMatrix<8> A;
-    static vectorField X, V, R;
-    static scalarField T;
-    static std::vector<double> change;
-    static List<symmTensor> drag;
-    ahead(dt, X);
-    T = T_;
-    V.setSize(X.size());
-    R.setSize(X.size());
-    change.resize(n);
-    drag.setSize(s.points.size());
-    bool fresh = true;
-    scalar before = GREAT;
-
-    // Drag across and along the extrapolated shape
-    scalar meanDrag = 0;
-    forAll(drag, k)
-    {
-        const label i = s.points[k].segment;
-        vector t(X[i + 1] - X[i]);
-        t /= mag(t);
-        drag[k] = s.drag[k] * (symmTensor::I - (1 - all_->dragRatio) * sqr(t));
-        meanDrag += s.drag[k] / (N + 1);
-    }
-
-    // Tension in units that make its rows as large as those of the places
-    const scalar unit =
-        ds * all_->mass * sqr(c0) + meanDrag * c0 + 6 * stiffness;
-
-    forAll(X, i)
-    {
-        if (held(i)) X[i] = heldPlace(i, dt);
-    }
-
-    for (label iteration = 0; iteration < 20; ++iteration)
-    {
-        ++iterations_;
-        if (fresh) A.clear(n);
-        forAll(X, i)
-        {
-            const scalar w = all_->lengthOf(i);
-            V[i] = c0 * X[i] + c1 * X_[i] + c2 * XBefore_[i];
-            const vector acceleration(c0 * V[i] + c1 * V_[i] +
-                                      c2 * VBefore_[i]);
-            R[i] = w * (all_->mass * acceleration - s.force[i]);
-            for (direction d = 0; d < 3 && fresh; ++d)
-            {
-                A(4 * i + d, 4 * i + d) += w * all_->mass * sqr(c0);
-            }
-        }
-        forAll(drag, k)
-        {
-            const linePoint& p = s.points[k];
-            const vector F(drag[k] & (p(V) - s.U[k]));
-            const scalar share[2] = {1 - p.at, p.at};
-            for (int a = 0; a < 2; ++a)
-            {
-                R[p.segment + a] += share[a] * F;
-                for (int b = 0; b < 2 && fresh; ++b)
-                {
-                    const tensor D(share[a] * share[b] * c0 * drag[k]);
-                    for (direction d = 0; d < 9; ++d)
-                    {
-                        A(4 * (p.segment + a) + d / 3,
-                          4 * (p.segment + b) + d % 3) += D[d];
-                    }
-                }
-            }
-        }
-        bends(
-            [&](const scalar weight, const label k, const label* at,
-                const scalar* factor)
-            {
-                const scalar w = weight * stiffness;
-                const vector force(w * bend(X, k));
-                for (int a = 0; a < 3; ++a)
-                {
-                    R[at[a]] += factor[a] * force;
-                    for (int b = 0; b < 3 && fresh; ++b)
-                    {
-                        for (direction d = 0; d < 3; ++d)
-                        {
-                            A(4 * at[a] + d, 4 * at[b] + d) +=
-                                w * factor[a] * factor[b];
-                        }
-                    }
-                }
-            });
-        for (label i = 0; i < N; ++i)
-        {
-            const vector t((X[i + 1] - X[i]) / ds);
-            vector pull(T[i] * t);
-            scalar answer = T[i] / ds;
-            if (s.couple.size())
-            {
-                pull += s.couple[i] * (s.shear[i] + (V[i + 1] - V[i]) / ds);
-                answer += s.couple[i] * c0 / ds;
-            }
-            R[i] -= pull;
-            R[i + 1] += pull;
-            for (direction d = 0; d < 3 && fresh; ++d)
-            {
-                const label a = 4 * i + d, b = a + 4, k = 4 * i + 3;
-                A(a, a) += answer;
-                A(b, b) += answer;
-                A(a, b) -= answer;
-                A(b, a) -= answer;
-                A(a, k) = A(k, a) = -unit * t[d];
-                A(b, k) = A(k, b) = unit * t[d];
-            }
-            change[4 * i + 3] = -0.5 * unit * ds * (magSqr(t) - 1);
-        }
-        forAll(X, i)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                const label a = 4 * i + d;
-                change[a] = held(i) ? 0 : -R[i][d];
-                if (!held(i) || !fresh) continue;
-                for (label j = max(label(0), a - 8); j <= min(n - 1, a + 8);
-                     ++j)
-                {
-                    A(a, j) = 0;
-                }
-                A(a, a) = unit;
-            }
-        }
-        if (fresh && !A.factor()) return false;
-        A.solve(change);
-
-        scalar largest = 0;
-        forAll(X, i)
-        {
-            const vector dX(change[4 * i], change[4 * i + 1],
-                            change[4 * i + 2]);
-            X[i] += dX;
-            largest = max(largest, mag(dX));
-            if (i < N) T[i] += unit * change[4 * i + 3];
-        }
-        if (!(largest < all_->length)) return false;
-
-        // The lengths' error left is the square of the last change with a matrix
-        // of its own, else that change times the rate of convergence
-        const scalar left =
-            fresh ? sqr(largest / ds)
-                  : largest / ds * min(largest / before, scalar(1));
-        if (left < 1e-12)
-        {
-            forAll(X, i)
-            {
-                VBefore_[i] = V_[i];
-                V_[i] = c0 * X[i] + c1 * X_[i] + c2 * XBefore_[i];
-                XBefore_[i] = X_[i];
-                X_[i] = X[i];
-                meanV_[i] += dt * V_[i];
-            }
-            T_ = T;
-            lastDeltaT_ = dt;
-            timeLeft_ -= dt;
-            return true;
-        }
-        fresh = largest > 0.1 * (iteration == 0 ? ds : before);
-        before = largest;
-    }
-    return false;
+    filament* self = this;
+    return filamentNewton<1>::step(dt, &self, &s, 1)[0];
 }
 
 // Two steps of half the size, and so on
@@ -264,11 +89,42 @@ bool Foam::filament::halves(const scalar dt, const surroundings& s,
     return true;
 }
 
-bool Foam::filament::step(const scalar dt, const surroundings& s)
+void Foam::filament::begin(const scalar dt)
 {
     iterations_ = 0;
     timeLeft_ = dt;
     meanV_ = Zero;
+}
+
+Foam::List<bool> Foam::filament::step(const scalar dt,
+                                      const UList<filament*>& lines,
+                                      const UList<surroundings>& around)
+{
+    List<bool> advanced(lines.size(), false);
+    if (lines.size() > 1 && lines[0]->all_->scheme == IMPLICIT)
+    {
+        for (filament* line : lines)
+        {
+            line->begin(dt);
+        }
+        const auto done = filamentNewton<together>::step(
+            dt, lines.cdata(), around.cdata(), lines.size());
+        forAll(lines, l)
+        {
+            advanced[l] = done[l];
+            if (done[l]) lines[l]->meanV_ /= dt;
+        }
+    }
+    forAll(lines, l)
+    {
+        advanced[l] = advanced[l] || lines[l]->step(dt, around[l]);
+    }
+    return advanced;
+}
+
+bool Foam::filament::step(const scalar dt, const surroundings& s)
+{
+    begin(dt);
     if (all_->scheme != IMPLICIT || !tryStep(dt, s))
     {
         const filament before(*this);

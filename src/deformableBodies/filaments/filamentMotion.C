@@ -113,9 +113,10 @@ Foam::bodyPoints Foam::filamentGroup::points(const label i) const
     return pointsOf(mine()[i], x.places(), x.velocities());
 }
 
-bool Foam::filamentGroup::moveOne(const label i, const vector* U,
-                                  const scalar* lineDensity, const bodyStep& s,
-                                  filament::surroundings& around)
+// Forces, drag and velocity of the fluid that a body feels during the step
+void Foam::filamentGroup::surround(const label i, const vector* U,
+                                   const scalar* lineDensity, const bodyStep& s,
+                                   filament::surroundings& around)
 {
     body& x = bodies_[i];
     const label n = points_.size();
@@ -162,24 +163,22 @@ bool Foam::filamentGroup::moveOne(const label i, const vector* U,
         }
     }
     if (couple_) around.shear = couple_->shear(x.ahead, U + n);
+}
 
-    if (!x.line.step(s.dt, around)) return false;
-    x.dt = s.dt;
-
-    if (twoWay())
+// The forces on the fluid that moved with it
+void Foam::filamentGroup::force(body& x,
+                                const filament::surroundings& around) const
+{
+    const vectorField& V = x.line.meanVelocities();
+    forAll(points_, k)
     {
-        const vectorField& V = x.line.meanVelocities();
-        for (label k = 0; k < n; ++k)
-        {
-            x.forces[k] = around.drag[k] * (points_[k](V) - around.U[k]);
-        }
-        if (couple_)
-        {
-            couple_->forces(x.ahead, V, around.shear, around.couple,
-                            &x.forces[n]);
-        }
+        x.forces[k] = around.drag[k] * (points_[k](V) - around.U[k]);
     }
-    return true;
+    if (couple_)
+    {
+        couple_->forces(x.ahead, V, around.shear, around.couple,
+                        &x.forces[points_.size()]);
+    }
 }
 
 // Where several lines of markers lie in one place each answers to the fluid with
@@ -206,21 +205,44 @@ Foam::string Foam::filamentGroup::move(const vector* U,
                                        const bodyStep& s)
 {
     const auto timing(scene_.effects.time("filament"));
-    filament::surroundings around{vectorField(properties_.segments + 1),
-                                  points_, scalarField(points_.size()),
-                                  vectorField(points_.size())};
-    string trouble;
-    forAll(mine(), i)
+    const label all = mine().size(), some = min(all, filament::together);
+    List<filament::surroundings> around(some);
+    for (filament::surroundings& x : around)
     {
-        if (!moveOne(i, U, lineDensity, s, around))
+        x.force.setSize(properties_.segments + 1);
+        x.points = points_;
+        x.drag.setSize(points_.size());
+        x.U.setSize(points_.size());
+    }
+    List<filament*> lines(some);
+    string trouble;
+    for (label i = 0; i < all; i += some)
+    {
+        const label n = min(some, all - i);
+        for (label l = 0; l < n; ++l)
         {
-            trouble = nameOf(i) +
-                      ": no tension holds its length, even in a 64th of the "
-                      "step (a floppy filament as light as the fluid needs "
-                      "segments no shorter than a cell)";
+            surround(i + l, U, lineDensity, s, around[l]);
+            lines[l] = &bodies_[i + l].line;
+            U += markersEach();
+            lineDensity += markersEach();
         }
-        U += markersEach();
-        lineDensity += markersEach();
+        const List<bool> advanced(
+            filament::step(s.dt, SubList<filament*>(lines, n),
+                           SubList<filament::surroundings>(around, n)));
+        for (label l = 0; l < n; ++l)
+        {
+            if (!advanced[l])
+            {
+                trouble =
+                    nameOf(i + l) +
+                    ": no tension holds its length, even in a 64th of the "
+                    "step (a floppy filament as light as the fluid needs "
+                    "segments no shorter than a cell)";
+                continue;
+            }
+            bodies_[i + l].dt = s.dt;
+            if (twoWay()) force(bodies_[i + l], around[l]);
+        }
     }
     return trouble;
 }

@@ -2,6 +2,7 @@
 
 // The schemes that are kept for comparison: tension first, then places
 
+#include "bandedMatrix.H"
 #include "filament.H"
 
 bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
@@ -66,14 +67,14 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
                (t & (inverse[i + 1] * loaded[i + 1] - inverse[i] * loaded[i])) /
                    ds;
     }
-    if (!tension.factor()) return false;
+    if (!tension.factor()[0]) return false;
     tension.solve(T);
 
     // Places: tension and bending at n+1, or on the mean of n+1 and n-1
     const scalar part = centred ? 0.5 : 1;
     bandedMatrix<2> A;
     A.clear(N + 1);
-    std::vector<double> X(3 * (N + 1));
+    std::vector<vector> X(N + 1);
     vectorField b(force);
     const auto add = [&](const label i, const label j, const scalar value)
     {
@@ -124,19 +125,16 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
             A(i, i) = 1;
             b[i] = heldPlace(i, dt);
         }
-        for (direction d = 0; d < 3; ++d)
-        {
-            X[3 * i + d] = b[i][d];
-        }
+        X[i] = b[i];
     }
-    if (!A.factor()) return false;
-    A.solve<3>(X);
+    if (!A.factor()[0]) return false;
+    A.solve(X);
 
     XBefore_ = X_;
     VBefore_ = V_;
     forAll(X_, i)
     {
-        X_[i] = vector(X[3 * i], X[3 * i + 1], X[3 * i + 2]);
+        X_[i] = X[i];
     }
     V_ = (X_ - XBefore_) / dt;
     meanV_ = dt * V_;

@@ -107,6 +107,45 @@ TEST(Filament, halvesItsSteps)
     test::expectBelow("length of the segments", length, 1e-10);
 }
 
+// Five at once, in lanes of which three stay empty: each as if it were alone, one
+// hangs still (converges at once), one halves its steps while the others go on
+TEST(Filament, togetherAsOneByOne)
+{
+    const auto p = make(32, 0, filament::HINGED, filament::FREE);
+    const scalar angles[] = {0, 0.2, 0.5, 0.5001, 0.7};
+    std::vector<filament> alone;
+    for (const scalar angle : angles)
+    {
+        const scalar a = angle * constant::mathematical::pi;
+        alone.emplace_back(p, Zero, vector(-std::cos(a), std::sin(a), 0));
+    }
+    std::vector<filament> together(alone);
+    const vectorField f(33, vector(-1, 0, 0)), U(33, Zero);
+    List<filament*> lines(5);
+    List<filament::surroundings> all(5);
+    scalar apart = 0;
+    label most = 0;
+    for (label step = 0; step < 5; ++step)
+    {
+        for (label i = 0; i < 5; ++i)
+        {
+            all[i] = around(alone[i], f, scalarField(33, 1e-3 * i), U);
+            lines[i] = &together[i];
+        }
+        const List<bool> advanced(filament::step(0.7, lines, all));
+        for (label i = 0; i < 5; ++i)
+        {
+            ASSERT_TRUE(advanced[i]);
+            ASSERT_TRUE(alone[i].step(0.7, all[i]));
+            apart =
+                max(apart, max(mag(alone[i].places() - together[i].places())));
+            most = max(most, together[i].iterations());
+        }
+    }
+    EXPECT_GT(most, 20);
+    test::expectBelow("places", apart, 1e-9);
+}
+
 // Swing of the tip (root of its mean square) in the last two of 20 periods over
 // that in the first two, released straight at 0.05 pi. Higher modes beat in it,
 // so that it may exceed 1; what the step takes is seen beside a smaller one

@@ -1,0 +1,346 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "filamentNewton.H"
+
+template<int Lanes>
+void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
+                                       const filament::surroundings* around,
+                                       const int n)
+{
+    // Lanes beyond the last filament repeat it
+    const auto from = [&](const int lane) { return min(lane, n - 1); };
+    const auto gather = [&](auto&& value)
+    {
+        vectors v;
+        for (int l = 0; l < Lanes; ++l)
+        {
+            const vector& x = value(from(l));
+            for (direction d = 0; d < 3; ++d)
+            {
+                v(l, d) = x[d];
+            }
+        }
+        return v;
+    };
+
+    first_ = lines[0];
+    N_ = first_->all_->segments;
+    const label nodes = N_ + 1, nPoints = around[0].points.size();
+    for (auto* field : {&pastV_, &pastA_, &X_, &V_, &R_, &force_})
+    {
+        field->resize(nodes);
+    }
+    T_.resize(N_);
+    points_.resize(nPoints);
+    couple_.resize(around[0].couple.size());
+    shear_.resize(couple_.size());
+    change_.resize(4 * N_ + 3);
+
+    // BDF2; the first step is of first order
+    lanes c1, c2, r;
+    for (int l = 0; l < Lanes; ++l)
+    {
+        const scalar last = lines[from(l)]->lastDeltaT_;
+        r[l] = last > 0 ? dt / last : 0;
+        c0_[l] = last > 0 ? (1 + 2 * r[l]) / ((1 + r[l]) * dt) : 1 / dt;
+        c1[l] = last > 0 ? -(1 + r[l]) / dt : -1 / dt;
+        c2[l] = last > 0 ? sqr(r[l]) / ((1 + r[l]) * dt) : 0;
+    }
+
+    const auto held = [&](const label i) { return first_->held(i); };
+    for (label i = 0; i < nodes; ++i)
+    {
+        const auto of = [&](vectorField filament::*field)
+        { return gather([&](const int l) { return (lines[l]->*field)[i]; }); };
+        const vectors X = of(&filament::X_), V = of(&filament::V_);
+        const vectors VBefore = of(&filament::VBefore_);
+        pastV_[i] = X.colwise() * c1 + of(&filament::XBefore_).colwise() * c2;
+        pastA_[i] = V.colwise() * c1 + VBefore.colwise() * c2;
+        X_[i] =
+            held(i)
+                ? gather([&](const int l)
+                         { return lines[l]->heldPlace(i, dt); })
+                : vectors(X + dt * (V + (V - VBefore).colwise() * (0.5 * r)));
+        force_[i] = gather([&](const int l) { return around[l].force[i]; });
+    }
+    for (int e = 0; e < 2; ++e)
+    {
+        clamp_[e] = gather([&](const int l) { return lines[l]->clamp_[e]; });
+    }
+    for (label i = 0; i < N_; ++i)
+    {
+        for (int l = 0; l < Lanes; ++l)
+        {
+            T_[i][l] = lines[from(l)]->T_[i];
+            if (couple_.size()) couple_[i][l] = around[from(l)].couple[i];
+        }
+        if (couple_.size())
+        {
+            shear_[i] = gather([&](const int l) { return around[l].shear[i]; });
+        }
+    }
+
+    // Drag across and along the extrapolated shape
+    lanes meanDrag = lanes::Zero();
+    for (label k = 0; k < nPoints; ++k)
+    {
+        dragPoint& p = points_[k];
+        p.segment = around[0].points[k].segment;
+        p.at = around[0].points[k].at;
+        for (int l = 0; l < Lanes; ++l)
+        {
+            p.drag[l] = around[from(l)].drag[k];
+        }
+        p.U = gather([&](const int l) { return around[l].U[k]; });
+        p.t = X_[p.segment + 1] - X_[p.segment];
+        p.t.colwise() /= dot(p.t, p.t).sqrt().eval();
+        meanDrag += p.drag / (N_ + 1);
+    }
+    const filament::properties& all = *first_->all_;
+    unit_ = all.ds() * all.mass * c0_.square() + meanDrag * c0_ +
+            6 * all.rigidity / pow3(all.ds());
+}
+
+template<int Lanes>
+void Foam::filamentNewton<Lanes>::addInertia()
+{
+    const filament::properties& all = *first_->all_;
+    for (label i = 0; i <= N_; ++i)
+    {
+        const scalar w = all.lengthOf(i);
+        V_[i] = X_[i].colwise() * c0_ + pastV_[i];
+        R_[i] =
+            w * (all.mass * (V_[i].colwise() * c0_ + pastA_[i]) - force_[i]);
+        for (direction d = 0; d < 3 && fresh_; ++d)
+        {
+            A_(4 * i + d, 4 * i + d) += w * all.mass * c0_.square();
+        }
+    }
+}
+
+template<int Lanes>
+void Foam::filamentNewton<Lanes>::addDrag()
+{
+    const scalar along = 1 - first_->all_->dragRatio;
+    for (const dragPoint& p : points_)
+    {
+        const label i = p.segment;
+        const scalar share[2] = {1 - p.at, p.at};
+        vectors F = share[0] * V_[i] + share[1] * V_[i + 1] - p.U;
+        F -= along * (p.t.colwise() * dot(p.t, F)).eval();
+        F.colwise() *= p.drag;
+        R_[i] += share[0] * F;
+        R_[i + 1] += share[1] * F;
+        for (direction d = 0; d < 3 && fresh_; ++d)
+        {
+            for (direction e = 0; e < 3; ++e)
+            {
+                if (d != e && along == 0) continue;
+                const lanes D =
+                    c0_ * p.drag *
+                    (scalar(d == e) - along * p.t.col(d) * p.t.col(e));
+                for (int a = 0; a < 2; ++a)
+                {
+                    for (int b = 0; b < 2; ++b)
+                    {
+                        A_(4 * (i + a) + d, 4 * (i + b) + e) +=
+                            share[a] * share[b] * D;
+                    }
+                }
+            }
+        }
+    }
+}
+
+template<int Lanes>
+void Foam::filamentNewton<Lanes>::addBending()
+{
+    const scalar ds = first_->all_->ds();
+    const scalar stiffness = first_->all_->rigidity / pow3(ds);
+    first_->bends(
+        [&](const scalar weight, const label k, const label* at,
+            const scalar* factor)
+        {
+            const scalar w = weight * stiffness;
+            vectors force = factor[0] * X_[at[0]] + factor[1] * X_[k] +
+                            factor[2] * X_[at[2]];
+            if (k == 0) force -= 2 * ds * clamp_[0];
+            if (k == N_) force += 2 * ds * clamp_[1];
+            for (int a = 0; a < 3; ++a)
+            {
+                R_[at[a]] += w * factor[a] * force;
+                for (int b = 0; b < 3 && fresh_; ++b)
+                {
+                    for (direction d = 0; d < 3; ++d)
+                    {
+                        A_(4 * at[a] + d, 4 * at[b] + d) +=
+                            w * factor[a] * factor[b];
+                    }
+                }
+            }
+        });
+}
+
+template<int Lanes>
+void Foam::filamentNewton<Lanes>::addTension()
+{
+    const scalar ds = first_->all_->ds();
+    for (label i = 0; i < N_; ++i)
+    {
+        const vectors t = (X_[i + 1] - X_[i]) / ds;
+        vectors pull = t.colwise() * T_[i];
+        lanes answer = T_[i] / ds;
+        if (couple_.size())
+        {
+            pull +=
+                (shear_[i] + (V_[i + 1] - V_[i]) / ds).colwise() * couple_[i];
+            answer += couple_[i] * c0_ / ds;
+        }
+        R_[i] -= pull;
+        R_[i + 1] += pull;
+        for (direction d = 0; d < 3 && fresh_; ++d)
+        {
+            const label a = 4 * i + d, b = a + 4, k = 4 * i + 3;
+            A_(a, a) += answer;
+            A_(b, b) += answer;
+            A_(a, b) -= answer;
+            A_(b, a) -= answer;
+            A_(b, k) = A_(k, b) = unit_ * t.col(d);
+            A_(a, k) = A_(k, a) = -A_(b, k);
+        }
+        change_[4 * i + 3] = -0.5 * ds * unit_ * (dot(t, t) - 1);
+    }
+}
+
+// Held nodes do not change
+template<int Lanes>
+void Foam::filamentNewton<Lanes>::hold()
+{
+    const label n = 4 * N_ + 3;
+    for (label i = 0; i <= N_; ++i)
+    {
+        const bool held = first_->held(i);
+        for (direction d = 0; d < 3; ++d)
+        {
+            const label a = 4 * i + d;
+            change_[a] = held ? lanes(lanes::Zero()) : lanes(-R_[i].col(d));
+            if (!held || !fresh_) continue;
+            for (label j = max(label(0), a - 8); j <= min(n - 1, a + 8); ++j)
+            {
+                A_(a, j) = lanes::Zero();
+            }
+            A_(a, a) = unit_;
+        }
+    }
+}
+
+template<int Lanes>
+void Foam::filamentNewton<Lanes>::assemble()
+{
+    if (fresh_) A_.clear(4 * N_ + 3);
+    addInertia();
+    addDrag();
+    addBending();
+    addTension();
+    hold();
+}
+
+template<int Lanes>
+std::array<bool, Lanes>
+Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
+                                  const filament::surroundings* around,
+                                  const int n)
+{
+    // Work space of all filaments
+    static filamentNewton<Lanes> x;
+    x.load(dt, lines, around, n);
+    x.fresh_ = true;
+
+    const filament::properties& all = *lines[0]->all_;
+    const scalar ds = all.ds();
+    lanes before = lanes::Constant(sqr(ds));
+    mask going, done = mask::Constant(false);
+    for (int l = 0; l < Lanes; ++l)
+    {
+        going[l] = l < n;
+    }
+    for (label iteration = 0; iteration < 20 && going.any(); ++iteration)
+    {
+        for (int l = 0; l < n; ++l)
+        {
+            if (going[l]) ++lines[l]->iterations_;
+        }
+        x.assemble();
+        if (x.fresh_)
+        {
+            const std::array<bool, Lanes> regular = x.A_.factor();
+            for (int l = 0; l < Lanes; ++l)
+            {
+                going[l] = going[l] && regular[l];
+            }
+        }
+        x.A_.solve(x.change_);
+
+        // Square of the largest change of a place
+        lanes largest = lanes::Zero();
+        for (label i = 0; i <= x.N_; ++i)
+        {
+            lanes square = lanes::Zero();
+            for (direction d = 0; d < 3; ++d)
+            {
+                square += x.change_[4 * i + d].square();
+            }
+            largest = largest.max(square);
+        }
+        going = going && largest < sqr(all.length);
+        for (label i = 0; i <= x.N_; ++i)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                x.X_[i].col(d) += going.select(x.change_[4 * i + d], scalar(0));
+            }
+            if (i < x.N_)
+            {
+                x.T_[i] +=
+                    going.select(x.unit_ * x.change_[4 * i + 3], scalar(0));
+            }
+        }
+
+        // The lengths' error left is the square of the last change with a matrix
+        // of its own, else that change times the rate of convergence
+        const lanes change = largest / sqr(ds);
+        const mask converged =
+            x.fresh_ ? mask(change < 1e-12)
+                     : mask(change * (largest / before).min(scalar(1)) < 1e-24);
+        done = done || (going && converged);
+        going = going && !done;
+        x.fresh_ = (going && largest > 0.01 * before).any();
+        before = largest.max(sqr(1e-15 * ds));
+    }
+
+    std::array<bool, Lanes> advanced{};
+    for (int l = 0; l < n; ++l)
+    {
+        advanced[l] = done[l];
+        if (!done[l]) continue;
+        filament& f = *lines[l];
+        forAll(f.X_, i)
+        {
+            f.VBefore_[i] = f.V_[i];
+            f.XBefore_[i] = f.X_[i];
+            for (direction d = 0; d < 3; ++d)
+            {
+                f.X_[i][d] = x.X_[i](l, d);
+                f.V_[i][d] = x.c0_[l] * x.X_[i](l, d) + x.pastV_[i](l, d);
+            }
+            f.meanV_[i] += dt * f.V_[i];
+            if (i < x.N_) f.T_[i] = x.T_[i][l];
+        }
+        f.lastDeltaT_ = dt;
+        f.timeLeft_ -= dt;
+    }
+    return advanced;
+}
+
+template class Foam::filamentNewton<1>;
+template class Foam::filamentNewton<Foam::filament::together>;
