@@ -90,7 +90,10 @@ int main(int argc, char* argv[])
             #include "pimpleStep.H"
         }
 
-        runTime.write();
+        {
+            const auto timing(effects.time("output"));
+            runTime.write();
+        }
 
         progress.print();
         runTime.printExecutionTime(Info);

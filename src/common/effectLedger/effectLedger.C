@@ -16,14 +16,19 @@ std::string column(const std::string& s, const int width)
 }
 } // namespace
 
+Foam::effectLedger::effectLedger(const Time& time)
+    : time_(time),
+      since_(std::chrono::steady_clock::now()),
+      startUp_(time.elapsedCpuTime())
+{
+}
+
 void Foam::effectLedger::charge()
 {
     const auto now = std::chrono::steady_clock::now();
-    if (running_.size())
-    {
-        const std::chrono::duration<double> used(now - since_);
-        effects_[running_.last()].seconds += used.count();
-    }
+    const std::chrono::duration<double> used(now - since_);
+    (running_.size() ? effects_[running_.last()].seconds : rest_) +=
+        used.count();
     since_ = now;
 }
 
@@ -67,8 +72,11 @@ Foam::effectLedger::timer Foam::effectLedger::time(const word& name)
     return timer(*this);
 }
 
-void Foam::effectLedger::printEffects() const
+void Foam::effectLedger::printEffects()
 {
+    charge();
+    startUp_ += rest_;
+    rest_ = 0;
     Info << nl << "Effects of this scene" << nl;
     for (const effect& e : effects_)
     {
@@ -79,31 +87,68 @@ void Foam::effectLedger::printEffects() const
     Info << endl;
 }
 
-void Foam::effectLedger::printCost() const
+template<class Visit>
+void Foam::effectLedger::rows(Visit visit)
 {
-    double total = 0;
+    charge();
+    const auto row =
+        [&](const word& name, const double seconds, const label calls)
+    {
+        visit(name,
+              returnReduce(scalar(seconds), sumOp<scalar>()) /
+                  Pstream::nProcs(),
+              returnReduce(scalar(seconds), maxOp<scalar>()), calls);
+    };
+    row("start-up", startUp_, 1);
     for (const effect& e : effects_)
     {
-        total += e.seconds;
+        if (e.active) row(e.name, e.seconds, e.calls);
     }
-    Info << nl << "Seconds per effect (wall clock, first rank)" << nl;
-    for (const effect& e : effects_)
+    row("rest", rest_, 1);
+}
+
+void Foam::effectLedger::printCost()
+{
+    scalar total = 0;
+    rows([&](const word&, const scalar mean, scalar, label) { total += mean; });
+
+    Info << nl << "Seconds per effect (wall clock"
+         << (Pstream::parRun()
+                 ? "; on average over the ranks, per cent, largest"
+                 : "")
+         << ")" << nl;
+    std::string within;
+    rows(
+        [&](const word& name, const scalar mean, const scalar largest,
+            const label calls)
+        {
+            if (calls == 0)
+            {
+                within += ' ' + name;
+                return;
+            }
+            std::ostringstream os;
+            os << std::fixed << std::setprecision(3) << std::setw(12) << mean
+               << std::setprecision(1) << std::setw(8)
+               << 100 * mean / max(total, VSMALL) << " %";
+            if (Pstream::parRun())
+            {
+                os << std::setprecision(3) << std::setw(12) << largest;
+            }
+            os << std::setw(10) << calls << " calls";
+            Info << "    " << column(name, 18).c_str() << os.str().c_str()
+                 << nl;
+        });
+    if (!within.empty())
     {
-        if (!e.active) continue;
-        std::ostringstream os;
-        os << std::fixed << std::setprecision(3) << std::setw(12) << e.seconds
-           << std::setprecision(1) << std::setw(8)
-           << 100 * e.seconds / std::max(total, 1e-300) << " %" << std::setw(10)
-           << e.calls << " calls";
-        Info << "    " << column(e.name, 18).c_str() << os.str().c_str() << nl;
+        Info << "    within others, or not needed:" << within.c_str() << nl;
     }
     Info << endl;
 }
 
 void Foam::effectLedger::write()
 {
-    if (!Pstream::master()) return;
-    if (!file_.valid())
+    if (Pstream::master() && !file_.valid())
     {
         const fileName dir(time_.globalPath() / "postProcessing" /
                            "effectCost" /
@@ -112,13 +157,12 @@ void Foam::effectLedger::write()
         file_.reset(new OFstream(dir / "effectCost.dat"));
         file_() << "# time effect seconds calls" << nl;
     }
-    for (const effect& e : effects_)
-    {
-        if (e.active)
+    rows(
+        [&](const word& name, const scalar mean, scalar, const label calls)
         {
-            file_() << time_.timeName() << ' ' << e.name << ' ' << e.seconds
-                    << ' ' << e.calls << nl;
-        }
-    }
-    file_().flush();
+            if (!Pstream::master()) return;
+            file_() << time_.timeName() << ' ' << name << ' ' << mean << ' '
+                    << calls << nl;
+        });
+    if (Pstream::master()) file_().flush();
 }
