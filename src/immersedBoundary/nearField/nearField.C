@@ -1,0 +1,284 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "nearField.H"
+#include "mathematicalConstants.H"
+
+// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include <Eigen/QR>
+
+namespace
+{
+const double pi = Foam::constant::mathematical::pi;
+
+//- Points that the sum handles side by side
+constexpr int nLanes = 8;
+using lanes = Eigen::Array<float, nLanes, 1>;
+using lanesAt = Eigen::Map<lanes>;
+using oneLane = Eigen::Array<float, 1, 1>;
+
+//- Integral of f from a to b: Gauss' three points in n intervals
+template<class Function>
+auto integral(const double a, const double b, const int n, Function f)
+{
+    const double half = 0.5 * (b - a) / n;
+    decltype(f(a)) sum = 0 * f(a);
+    for (int i = 0; i < n; ++i)
+    {
+        const double middle = a + (2 * i + 1) * half;
+        const double x = std::sqrt(0.6) * half;
+        sum += 5 * f(middle - x) + 8 * f(middle) + 5 * f(middle + x);
+    }
+    sum *= half / 9;
+    return sum;
+}
+
+//- Fourier transform of a kernel, tabulated
+class transformOf
+{
+    static constexpr double step = 0.01;
+    std::vector<double> values_;
+
+public:
+    transformOf(const Foam::deltaKernel& kernel, const double largest)
+    {
+        for (int i = 0; i < largest / step + 2; ++i)
+        {
+            // Pieces in which the kernels are smooth end at multiples of 1/2
+            values_.push_back(
+                2 * integral(0, kernel.reach(), int(8 * kernel.reach()),
+                             [&](const double r)
+                             { return kernel.phi(r) * std::cos(i * step * r); }));
+        }
+    }
+
+    double operator()(const double K) const
+    {
+        const double x = std::abs(K) / step;
+        const int i = int(x);
+        return values_[i] + (x - i) * (values_[i + 1] - values_[i]);
+    }
+};
+
+//- Spherical Bessel functions of order 0, and of order 2 over x^2
+void bessel(const double x, double& j0, double& j2)
+{
+    const double xx = x * x;
+    if (x < 0.1)
+    {
+        j0 = 1 - xx / 6 * (1 - xx / 20);
+        j2 = 1 / 15.0 - xx / 210 * (1 - xx / 36);
+        return;
+    }
+    j0 = std::sin(x) / x;
+    j2 = (3 * (j0 - std::cos(x)) / xx - j0) / xx;
+}
+} // namespace
+
+Foam::nearField::nearField(const deltaKernel::kernelType kernel, const scalar h,
+                           const scalar mu, const scalar d)
+    : h_(h),
+      mu_(mu),
+      d_(d)
+{
+    transform(deltaKernel(kernel));
+    fit();
+}
+
+void Foam::nearField::transform(const deltaKernel& kernel)
+{
+    // Kernels have decayed there: what is left out is 1e-6 of A
+    const double largest = 25;
+    const int nK = 250, nAzimuth = 16;
+    const transformOf phi(kernel, largest);
+    for (int i = 0; i < nK; ++i)
+    {
+        // Of G_h, averaged over an octant of directions: trace, part along K
+        const double K = (i + 0.5) * largest / nK;
+        const auto ring = [&](const double z)
+        {
+            Eigen::Vector2d sum(0, 0);
+            for (int j = 0; j < nAzimuth; ++j)
+            {
+                const double azimuth = 0.5 * pi * (j + 0.5) / nAzimuth;
+                const double s = std::sqrt(1 - z * z);
+                double kk = 0, ek = 0, filter = 1;
+                for (const double e :
+                     {s * std::cos(azimuth), s * std::sin(azimuth), z})
+                {
+                    const double kappa = 2 * std::sin(0.5 * K * e);
+                    kk += kappa * kappa;
+                    ek += e * kappa;
+                    filter *= sqr(phi(K * e));
+                }
+                sum += K * K * filter / (kk * nAzimuth) *
+                       Eigen::Vector2d(2, 1 - ek * ek / kk);
+            }
+            return sum;
+        };
+        const Eigen::Vector2d smoothed(integral(0, 1, 8, ring));
+
+        // Of G_d; with the weight of the integral over K
+        const double x = 0.25 * sqr(K * d_ / h_);
+        const double filter = (1 + x + 4 / 3.0 * x * x * x) * std::exp(-x);
+        const double weight = 4 / pi * largest / nK;
+        K_.push_back(K);
+        trace_.push_back(weight * (2 * filter - smoothed[0]));
+        along_.push_back(weight * -smoothed[1]);
+    }
+}
+
+Foam::nearField::mobility Foam::nearField::exact(const scalar q) const
+{
+    mobility m{0, 0};
+    for (size_t i = 0; i < K_.size(); ++i)
+    {
+        double j0, j2; // j2 over (K q)^2
+        bessel(K_[i] * q, j0, j2);
+        j2 *= sqr(K_[i]);
+        const double C = 0.5 * j2 * (trace_[i] - 3 * along_[i]);
+        m.C += C;
+        m.A += trace_[i] / 3 * (j0 + sqr(q) * j2) -
+               sqr(q) * (along_[i] * j2 + C);
+    }
+    return m;
+}
+
+// Least squares over distances up to where the difference is of q^-3, and from
+// there to 20 times as far. Errors count more at a distance, where they act on
+// more points
+void Foam::nearField::fit()
+{
+    const double last = max(8.0, 5 * d_ / h_);
+    const mobility atLast(exact(last));
+    c_ = 10 * d_ / h_;
+
+    const int n = 300;
+    Eigen::MatrixXd A(n, nFar + nNear), C(A);
+    Eigen::VectorXd valuesA(n), valuesC(n);
+    for (int i = 0; i < n; ++i)
+    {
+        const double x = 1.25 * (i + 0.5) / n;
+        const double q = last * (x < 1 ? x : 1 / (1 - 3.8 * (x - 1)));
+        const mobility m(q < last ? exact(q)
+                                  : mobility{atLast.A * std::pow(last / q, 3),
+                                             atLast.C * std::pow(last / q, 5)});
+        const double t = 1 / (1 + q * q / c_);
+        double far = std::pow(t, 1.5), near = std::pow(t, 8);
+        for (int k = nFar - 1; k >= 0; --k, far *= t)
+        {
+            A(i, k) = far;
+            C(i, k) = far * t;
+        }
+        for (int k = nFar + nNear - 1; k >= nFar; --k, near *= 2.5 * t - 1.5)
+        {
+            A(i, k) = C(i, k) = near;
+        }
+        const double weightA = 1 + q, weightC = weightA * (0.3 + q * q);
+        A.row(i) *= weightA;
+        C.row(i) *= weightC;
+        valuesA[i] = weightA * m.A;
+        valuesC[i] = weightC * m.C;
+    }
+    const auto solve =
+        [](const Eigen::MatrixXd& terms, const Eigen::VectorXd& values)
+    {
+        const Eigen::VectorXd x(terms.colPivHouseholderQr().solve(values));
+        coefficients a;
+        std::copy(x.data(), x.data() + x.size(), a.begin());
+        return a;
+    };
+    A_ = solve(A, valuesA);
+    C_ = solve(C, valuesC);
+}
+
+template<class Lanes>
+void Foam::nearField::evaluate(const Lanes& s, Lanes& A, Lanes& C) const
+{
+    const Lanes t = 1 / (1 + s * (1 / c_));
+    const auto sum = [](const coefficients& a, const int begin, const int end,
+                        const Lanes& x)
+    {
+        Lanes y = Lanes::Constant(a[begin]);
+        for (int k = begin + 1; k < end; ++k)
+        {
+            y = y * x + a[k];
+        }
+        return y;
+    };
+    const Lanes v = 2.5f * t - 1.5f, tt = t * t, t4 = tt * tt, t8 = t4 * t4;
+    const Lanes far = t * t.sqrt();
+    A = far * sum(A_, 0, nFar, t) + t8 * sum(A_, nFar, nFar + nNear, v);
+    C = far * t * sum(C_, 0, nFar, t) + t8 * sum(C_, nFar, nFar + nNear, v);
+}
+
+Foam::nearField::mobility Foam::nearField::fitted(const scalar q) const
+{
+    oneLane A, C;
+    evaluate<oneLane>(oneLane::Constant(float(q * q)), A, C);
+    return {A[0], C[0]};
+}
+
+void Foam::nearField::velocity(const vector* X, const vector* F, const label n,
+                               vector* u) const
+{
+    // Components side by side, filled up with points without force
+    const int m = (n + nLanes - 1) / nLanes * nLanes;
+    std::vector<float> numbers(9 * m, 0);
+    float* const x = numbers.data();
+    float* const f = x + 3 * m;
+    float* const v = f + 3 * m;
+    const float self = fitted(0).A;
+    const scalar factor = 1 / (8 * pi * mu_ * h_);
+    for (label i = 0; i < n; ++i)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            x[d * m + i] = (X[i][d] - X[0][d]) / h_;
+            f[d * m + i] = factor * F[i][d];
+            v[d * m + i] = self * f[d * m + i];
+        }
+    }
+
+    lanes number;
+    for (int l = 0; l < nLanes; ++l)
+    {
+        number[l] = l;
+    }
+    for (int i = 0; i < n; ++i)
+    {
+        const float *const xi = x + i, *const fi = f + i;
+        lanes vx = lanes::Zero(), vy = vx, vz = vx;
+        for (int j = i / nLanes * nLanes; j < m; j += nLanes)
+        {
+            const lanes rx = lanesAt(x + j) - xi[0];
+            const lanes ry = lanesAt(x + m + j) - xi[m];
+            const lanes rz = lanesAt(x + 2 * m + j) - xi[2 * m];
+            lanes A, C;
+            evaluate<lanes>(rx * rx + ry * ry + rz * rz, A, C);
+            if (j <= i)
+            {
+                const lanes later = (number > float(i - j)).cast<float>();
+                A *= later;
+                C *= later;
+            }
+            const lanes fx = lanesAt(f + j), fy = lanesAt(f + m + j),
+                        fz = lanesAt(f + 2 * m + j);
+            const lanes toI = C * (rx * fx + ry * fy + rz * fz);
+            const lanes toJ = C * (rx * fi[0] + ry * fi[m] + rz * fi[2 * m]);
+            vx += A * fx + toI * rx;
+            vy += A * fy + toI * ry;
+            vz += A * fz + toI * rz;
+            lanesAt(v + j) += A * fi[0] + toJ * rx;
+            lanesAt(v + m + j) += A * fi[m] + toJ * ry;
+            lanesAt(v + 2 * m + j) += A * fi[2 * m] + toJ * rz;
+        }
+        v[i] += vx.sum();
+        v[m + i] += vy.sum();
+        v[2 * m + i] += vz.sum();
+    }
+    for (label i = 0; i < n; ++i)
+    {
+        u[i] = vector(v[i], v[m + i], v[2 * m + i]);
+    }
+}
