@@ -17,9 +17,9 @@ Foam::capsuleNearField::capsuleNearField(const label degree,
                                          const scalar h, const scalar mu,
                                          const scalar radius,
                                          const label nTheta)
-    : grid_(degree, nTheta ? nTheta : max(label(12), latitudes(radius / h))),
+    : grid_(degree, nTheta ? nTheta : max(label(14), latitudes(radius / h))),
       sum_(kernel, h, mu,
-           max(h, 1.43 * constant::mathematical::pi * radius / grid_.nTheta())),
+           max(h, 1.5 * constant::mathematical::pi * radius / grid_.nTheta())),
       taper_(grid_.nCoeffs())
 {
     for (label n = 0; n <= degree; ++n)

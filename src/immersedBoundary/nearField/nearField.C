@@ -47,8 +47,9 @@ public:
             // Pieces in which the kernels are smooth end at multiples of 1/2
             values_.push_back(
                 2 * integral(0, kernel.reach(), int(8 * kernel.reach()),
-                             [&](const double r)
-                             { return kernel.phi(r) * std::cos(i * step * r); }));
+                             [&](const double r) {
+                                 return kernel.phi(r) * std::cos(i * step * r);
+                             }));
         }
     }
 
@@ -120,7 +121,8 @@ void Foam::nearField::transform(const deltaKernel& kernel)
 
         // Of G_d; with the weight of the integral over K
         const double x = 0.25 * sqr(K * d_ / h_);
-        const double filter = (1 + x + 4 / 3.0 * x * x * x) * std::exp(-x);
+        const double filter =
+            (1 + x + x * x * (6 - 4 * x + 8 * x * x) / 15) * std::exp(-x);
         const double weight = 4 / pi * largest / nK;
         K_.push_back(K);
         trace_.push_back(weight * (2 * filter - smoothed[0]));
@@ -138,8 +140,8 @@ Foam::nearField::mobility Foam::nearField::exact(const scalar q) const
         j2 *= sqr(K_[i]);
         const double C = 0.5 * j2 * (trace_[i] - 3 * along_[i]);
         m.C += C;
-        m.A += trace_[i] / 3 * (j0 + sqr(q) * j2) -
-               sqr(q) * (along_[i] * j2 + C);
+        m.A +=
+            trace_[i] / 3 * (j0 + sqr(q) * j2) - sqr(q) * (along_[i] * j2 + C);
     }
     return m;
 }
@@ -149,9 +151,9 @@ Foam::nearField::mobility Foam::nearField::exact(const scalar q) const
 // more points
 void Foam::nearField::fit()
 {
-    const double last = max(8.0, 5 * d_ / h_);
+    const double last = max(8.0, 6 * d_ / h_);
     const mobility atLast(exact(last));
-    c_ = 10 * d_ / h_;
+    c_ = 10 * sqr(d_ / h_);
 
     const int n = 300;
     Eigen::MatrixXd A(n, nFar + nNear), C(A);
