@@ -58,6 +58,7 @@ int main(int argc, char* argv[])
     #include "initContinuityErrs.H"
     #include "createFields.H"
     #include "createBodies.H"
+    #include "createFvOptions.H"
     #include "createFlow.H"
     scalar CoNum = 0;
     #include "flowCourantNo.H"

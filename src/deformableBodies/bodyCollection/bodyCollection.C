@@ -11,13 +11,15 @@ namespace Foam
 defineTypeNameAndDebug(bodyCollection, 0);
 }
 
-Foam::bodyCollection::bodyCollection(const fvMesh& mesh)
+Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
+                                     const bool solverBalances)
     : regIOobject(IOobject("deformableBodies", mesh.time().timeName(),
                            "uniform", mesh, IOobject::NO_READ,
                            IOobject::AUTO_WRITE)),
       mesh_(mesh),
       grid_(uniformGrid::New(mesh)),
-      effects_(mesh.time())
+      effects_(mesh.time()),
+      solverBalances_(solverBalances)
 {
     IOobject io("deformableBodies", mesh.time().constant(), mesh,
                 IOobject::MUST_READ, IOobject::NO_WRITE, false);
@@ -55,13 +57,14 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh)
     writer_.reset(new bodyWriter(mesh.time(), groups_, effects_));
 }
 
-Foam::bodyCollection& Foam::bodyCollection::New(const fvMesh& mesh)
+Foam::bodyCollection& Foam::bodyCollection::New(const fvMesh& mesh,
+                                                const bool solverBalances)
 {
     bodyCollection* found =
         mesh.thisDb().getObjectPtr<bodyCollection>("deformableBodies");
     if (!found)
     {
-        found = new bodyCollection(mesh);
+        found = new bodyCollection(mesh, solverBalances);
         found->store();
     }
     return *found;
@@ -112,6 +115,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
         time.controlDict().getOrDefault<bool>("adjustTimeStep", false);
     const bodyScene scene{grid_,
                           markers_->kernel(),
+                          solverBalances_,
                           rho_,
                           rho_ * nu_,
                           readGravity(),

@@ -21,7 +21,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                         "dealiasing", "markerSpacing", "shearPlane", "coupling",
                         "bending", "viscosityRatio", "prestress", "gravity",
                         "densityRatio", "stressFree", "motion", "thickness",
-                        "filter"});
+                        "filter", "nearField"});
     if (dict.found("viscosityRatio"))
     {
         viscosityRatio_ = readPositive(dict, "viscosityRatio", dimless);
@@ -138,6 +138,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
             new bending(bend, membrane_->harmonics(), radius_, initial));
     }
     setMotion(dict);
+    setNearField(dict, extent);
     const scalar strength = dict.getOrDefault<scalar>("filter", 0);
     if (strength < 0)
     {
@@ -338,30 +339,49 @@ void Foam::capsuleGroup::loads(vector* X, vector* F, const scalar time)
 {
     const auto timing(scene_.effects.time("membrane"));
     const label n = markerGrid_->nPoints();
-    const bool pushed = scene_.forces.actOn(name());
     forAll(mine(), i)
     {
-        const capsule& c = capsules_[i];
+        capsule& c = capsules_[i];
         atMarkers(c.xMid, X, 1);
-        if (penalty_)
-            coeffs_ = c.load;
-        else
-            load(c.xMid, coeffs_);
-        atMarkers(coeffs_, F, -1);
-        for (label k = 0; k < n; ++k)
-        {
-            F[k] *= markerGrid_->weight(k);
-        }
-        if (pushed)
-        {
-            const vectorField more(
-                scene_.forces.on(points(i), time, scene_.effects));
-            for (label k = 0; k < n; ++k)
-            {
-                F[k] += more[k];
-            }
-        }
+        forcesOnFluid(i, time, F);
+        if (nearField_) loadOnFluid(F, c.onFluid);
         X += n;
         F += n;
     }
+}
+
+void Foam::capsuleGroup::forcesOnFluid(const label i, const scalar time,
+                                       vector* F)
+{
+    const capsule& c = capsules_[i];
+    if (penalty_)
+        coeffs_ = c.load;
+    else
+        load(c.xMid, coeffs_);
+    atMarkers(coeffs_, F, -1);
+    const label n = markerGrid_->nPoints();
+    for (label k = 0; k < n; ++k)
+    {
+        F[k] *= markerGrid_->weight(k);
+    }
+    if (!scene_.forces.actOn(name())) return;
+    const vectorField more(scene_.forces.on(points(i), time, scene_.effects));
+    for (label k = 0; k < n; ++k)
+    {
+        F[k] += more[k];
+    }
+}
+
+void Foam::capsuleGroup::loadOnFluid(const vector* F, numbers& q) const
+{
+    const label n = markerGrid_->nPoints();
+    q.resize(coeffs_.size());
+    for (label k = 0; k < n; ++k)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            onMarkers_[d * n + k] = F[k][d] / markerGrid_->weight(k);
+        }
+    }
+    markerGrid_->analysis(onMarkers_.data(), q.data());
 }

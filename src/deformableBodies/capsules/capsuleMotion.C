@@ -5,6 +5,13 @@
 #include "capsuleGroup.H"
 #include "dictionaryChecks.H"
 
+namespace
+{
+// Up to where the near field was measured to be better than none
+// (tests/validation/nearField)
+const Foam::scalar maxInertia = 1, maxViscosityRatio = 1;
+} // namespace
+
 void Foam::capsuleGroup::setMotion(const dictionary& dict)
 {
     const membraneModel& law = membrane_->model();
@@ -81,6 +88,62 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
                                     : "motion " + words[motion]);
 }
 
+// What is known of its limits: doc/methods.md
+void Foam::capsuleGroup::setNearField(const dictionary& dict,
+                                      const scalar extent)
+{
+    enum choice
+    {
+        AUTO,
+        ON,
+        OFF
+    };
+    const Enum<choice> words({{AUTO, "auto"}, {ON, "on"}, {OFF, "off"}});
+    const choice wanted = readEnum(words, dict, "nearField", AUTO);
+
+    // Where it cannot be right
+    const vector& h = scene_.grid.h();
+    string never;
+    if (!twoWay())
+        never = "coupling oneWay: no load acts on the fluid";
+    else if (cmptMax(h) > 1.001 * cmptMin(h))
+        never = "cells that are not cubes";
+    else if (!scene_.forceAtFaces)
+        never = "the solver takes the force as an average of each cell";
+    else if (penalty_)
+        never = "motion penalty";
+    if (wanted == ON && !never.empty())
+    {
+        refuse(dict, "nearField", "on", "auto or off: " + never);
+    }
+
+    // Where it is not known to be better
+    const scalar inertia = scene_.rho * membrane_->model().shearModulus() *
+                           sqr(h.x() / scene_.mu) / radius_;
+    string unknown;
+    if (inertia > maxInertia)
+        unknown = "rho Gs h^2/(mu^2 a) = " + Foam::name(inertia) +
+                  ", known up to " + Foam::name(maxInertia);
+    else if (viscosityRatio_ > maxViscosityRatio)
+        unknown = "viscosityRatio " + Foam::name(viscosityRatio_) +
+                  ", known up to " + Foam::name(maxViscosityRatio);
+
+    const bool on =
+        wanted == ON || (wanted == AUTO && never.empty() && unknown.empty());
+    string note(wanted == OFF ? string("off") : never);
+    if (note.empty()) note = unknown;
+    if (on)
+    {
+        nearField_.reset(new capsuleNearField(markerGrid_->degree(),
+                                              scene_.kernel.type(), h.x(),
+                                              scene_.mu, extent));
+        note = Foam::name(nearField_->grid().nPoints()) + " points" +
+               (unknown.empty() ? string("") : "; beyond what is known: ") +
+               unknown;
+    }
+    scene_.effects.declare("nearField", on, note);
+}
+
 void Foam::capsuleGroup::volumeGradient(const numbers& x, numbers& g) const
 {
     const sphericalHarmonics& grid = membrane_->harmonics();
@@ -104,6 +167,7 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
     const auto timing(scene_.effects.time("membrane"));
     const label n = markerGrid_->nPoints();
     numbers velocity(coeffs_.size()), g(coeffs_.size());
+    vectorField F(nearField_ ? n : 0);
     string trouble;
 
     for (size_t i = 0; i < capsules_.size(); ++i, U += n)
@@ -117,6 +181,16 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
             }
         }
         markerGrid_->analysis(onMarkers_.data(), velocity.data());
+        if (nearField_)
+        {
+            const auto timing(scene_.effects.time("nearField"));
+            if (c.onFluid.empty())
+            {
+                forcesOnFluid(i, s.time - dt - 0.5 * c.lastDeltaT, F.data());
+                loadOnFluid(F.cdata(), c.onFluid);
+            }
+            nearField_->add(c.x.data(), c.onFluid.data(), velocity.data());
+        }
 
         // Zero net flow through the membrane, int U.n dS = 0: the change of
         // the enclosed volume is g.v

@@ -53,7 +53,7 @@ TEST(BodyCollection, aStepCanBeTakenBack)
     const scalar dt = time.deltaTValue();
     const_cast<Time&>(time).setDeltaT(0.01);
     {
-        bodyCollection bodies(test::mesh());
+        bodyCollection bodies(test::mesh(), true);
         staggeredField force(uniformGrid::New(test::mesh()).box());
         const staggeredField u(velocity());
         const auto steps = [&]()
