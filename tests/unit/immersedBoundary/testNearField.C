@@ -38,7 +38,7 @@ vectorField velocity(const nearField& sum, const vectorField& X,
 
 scalar difference(const vectorField& a, const vectorField& b)
 {
-    return std::sqrt(sumSqr(a - b) / sumSqr(b));
+    return std::sqrt(sum(magSqr(a - b)) / sum(magSqr(b)));
 }
 } // namespace
 
@@ -64,7 +64,7 @@ TEST(NearField, sumOfPairs)
             }
             test::expectBelow("single precision, fit against integral, " +
                                   std::to_string(n),
-                              difference(velocity(sum, c.X, c.F), exact), 5e-4);
+                              difference(velocity(sum, c.X, c.F), exact), 2e-4);
         }
     }
 }
@@ -94,7 +94,7 @@ TEST(NearField, symmetryAndInvariance)
     }
     test::expectBelow("moved and turned", difference(velocity(near, X, F), v),
                       1e-5);
-    EXPECT_EQ(velocity(near, c.X, c.F), u) << "the same in every run";
+    EXPECT_TRUE(velocity(near, c.X, c.F) == u) << "the same in every run";
 }
 
 // The mobility of Roma3 less that of Peskin4, measured with forces and targets
