@@ -137,7 +137,7 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
         nearField_.reset(new capsuleNearField(markerGrid_->degree(),
                                               scene_.kernel.type(), h.x(),
                                               scene_.mu, extent));
-        note = Foam::name(nearField_->grid().nPoints()) + " points" +
+        note = Foam::name(nearField_->nPoints()) + " points" +
                (unknown.empty() ? string("") : "; beyond what is known: ") +
                unknown;
     }

@@ -22,6 +22,22 @@ Foam::capsuleNearField::capsuleNearField(const label degree,
            max(h, 1.5 * constant::mathematical::pi * radius / grid_.nTheta())),
       taper_(grid_.nCoeffs())
 {
+    // Near the poles every second or fourth point of a latitude is enough
+    for (label i = 0, k = 0; i < grid_.nTheta(); ++i)
+    {
+        label step = 1;
+        while (grid_.nPhi() % (2 * step) == 0 &&
+               2 * step * std::sin(grid_.theta(i)) < 1.15)
+        {
+            step *= 2;
+        }
+        for (label j = 0; j < grid_.nPhi(); ++j, ++k)
+        {
+            if (j % step) continue;
+            points_.push_back(k);
+            weights_.push_back(step * grid_.weight(k));
+        }
+    }
     for (label n = 0; n <= degree; ++n)
     {
         for (label m = 0; m <= n; ++m)
@@ -36,15 +52,19 @@ Foam::capsuleNearField::capsuleNearField(const label degree,
 void Foam::capsuleNearField::add(const double* x, const double* load,
                                  double* velocity) const
 {
-    const label n = grid_.nPoints(), nCoeffs = 3 * grid_.nCoeffs();
-    std::vector<double> values(3 * n), coeffs(nCoeffs);
+    const label nAll = grid_.nPoints(), n = nPoints();
+    const label nCoeffs = 3 * grid_.nCoeffs();
+    std::vector<double> values(3 * nAll), coeffs(nCoeffs);
     std::vector<vector> X(n), F(n), u(n);
     const auto evaluate = [&](const double* c, std::vector<vector>& v)
     {
         grid_.values(c, values.data());
         for (label k = 0; k < n; ++k)
         {
-            v[k] = vector(values[k], values[n + k], values[2 * n + k]);
+            for (direction d = 0; d < 3; ++d)
+            {
+                v[k][d] = values[d * nAll + points_[k]];
+            }
         }
     };
     evaluate(x, X);
@@ -55,19 +75,20 @@ void Foam::capsuleNearField::add(const double* x, const double* load,
     evaluate(coeffs.data(), F);
     for (label k = 0; k < n; ++k)
     {
-        F[k] *= grid_.weight(k);
+        F[k] *= weights_[k];
     }
 
     sum_.velocity(X.data(), F.data(), n, u.data());
 
+    std::fill(values.begin(), values.end(), 0);
     for (label k = 0; k < n; ++k)
     {
         for (direction d = 0; d < 3; ++d)
         {
-            values[d * n + k] = u[k][d];
+            values[d * nAll + points_[k]] = weights_[k] * u[k][d];
         }
     }
-    grid_.analysis(values.data(), coeffs.data());
+    grid_.valuesAdjoint(values.data(), coeffs.data());
     for (label i = 0; i < nCoeffs; ++i)
     {
         velocity[i] += taper_[i / 3] * coeffs[i];
