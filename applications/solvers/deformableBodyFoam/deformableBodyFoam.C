@@ -39,6 +39,7 @@ Usage
 #include "flowSources.H"
 #include "fieldsWanted.H"
 #include "runProgress.H"
+#include "stepGuard.H"
 #include "printTraffic.H"
 
 int main(int argc, char* argv[])
@@ -56,13 +57,24 @@ int main(int argc, char* argv[])
     #include "createControl.H"
     #include "createTimeControls.H"
     #include "initContinuityErrs.H"
+    bodyCollection::limitsDeltaT = true;
     #include "createFields.H"
     #include "createBodies.H"
     #include "createFvOptions.H"
     #include "createFlow.H"
+    #include "createGuard.H"
     scalar CoNum = 0;
     #include "flowCourantNo.H"
-    #include "setInitialDeltaT.H"
+    #include "printLimits.H"
+    if (adjustTimeStep)
+    {
+        #include "setInitialDeltaT.H"
+        #include "flowCourantNo.H"
+    }
+    else
+    {
+        #include "checkCourantNo.H"
+    }
 
     turbulence->validate();
 
@@ -71,8 +83,8 @@ int main(int argc, char* argv[])
     while (runTime.run())
     {
         #include "readTimeControls.H"
-        #include "flowCourantNo.H"
         #include "setBodyDeltaT.H"
+        #include "checkCourantNo.H"
 
         ++runTime;
 
@@ -100,6 +112,12 @@ int main(int argc, char* argv[])
         runTime.printExecutionTime(Info);
     }
 
+    if (runTime.timeIndex() == runTime.startTimeIndex())
+    {
+        Info<< "No step was taken: it starts at " << runTime.timeName()
+            << ", endTime is " << runTime.endTime().value() << ", deltaT "
+            << runTime.deltaTValue() << nl << endl;
+    }
     printTraffic(runTime);
 
     Info<< "End\n" << endl;

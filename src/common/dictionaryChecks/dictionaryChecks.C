@@ -34,6 +34,19 @@ Foam::scalar Foam::readPositive(const dictionary& dict, const word& name,
     return value;
 }
 
+Foam::string Foam::firstOf(const string& sentence)
+{
+    List<string> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = sentence;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+    for (const string& s : all)
+    {
+        if (!s.empty()) return s;
+    }
+    return string::null;
+}
+
 Foam::string Foam::oneOf(const wordList& words)
 {
     string all;

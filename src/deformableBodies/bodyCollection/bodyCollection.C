@@ -110,16 +110,13 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     ownership_.reset(new bodyOwnership(*neighbours_));
     markers_.reset(new markerSet(grid_, deltaKernel(dict), *neighbours_));
 
-    const Time& time = mesh_.time();
-    const bool adjusted =
-        time.controlDict().getOrDefault<bool>("adjustTimeStep", false);
     const bodyScene scene{grid_,
                           markers_->kernel(),
                           solverBalances_,
                           rho_,
                           rho_ * nu_,
                           readGravity(),
-                          adjusted ? GREAT : time.deltaTValue(),
+                          expectedDeltaT(),
                           readAccuracy(dict),
                           readCoupling(dict, bodyCoupling::twoWay),
                           forces_,
@@ -212,6 +209,7 @@ Foam::vector Foam::bodyCollection::readGravity() const
         IOobject("g", mesh_.time().constant(), mesh_, IOobject::READ_IF_PRESENT,
                  IOobject::NO_WRITE, false),
         dimensionedVector(dimAcceleration, Zero));
+    checkDimensions(g, dimAcceleration);
     return g.value();
 }
 
@@ -225,12 +223,32 @@ bool Foam::bodyCollection::stiff() const
     return any;
 }
 
-Foam::scalar Foam::bodyCollection::maxDeltaT() const
+bool Foam::bodyCollection::limitsDeltaT = false;
+
+bool Foam::bodyCollection::adjusted() const
+{
+    return mesh_.time().controlDict().getOrDefault<bool>("adjustTimeStep",
+                                                         false);
+}
+
+// What does not depend on the flow, which would be another after a restart
+Foam::scalar Foam::bodyCollection::expectedDeltaT() const
+{
+    if (!adjusted()) return mesh_.time().deltaTValue();
+    return mesh_.time().controlDict().getOrDefault<scalar>(
+        "maxDeltaT", limitsDeltaT ? 0 : GREAT);
+}
+
+Foam::scalar Foam::bodyCollection::maxDeltaT(string* reason) const
 {
     scalar limit = GREAT;
     forAll(groups_, g)
     {
-        if (groups_[g].twoWay()) limit = min(limit, groups_[g].maxDeltaT());
+        if (groups_[g].twoWay() && groups_[g].maxDeltaT() < limit)
+        {
+            limit = groups_[g].maxDeltaT();
+            if (reason) *reason = "stiffest waves of group " + groups_[g].name();
+        }
     }
     return limit;
 }
@@ -239,15 +257,38 @@ void Foam::bodyCollection::start()
 {
     effects_.printEffects();
     if (empty()) return;
-
-    const scalar deltaT = mesh_.time().deltaTValue();
-    if (deltaT > maxDeltaT())
-    {
-        Info << "--> Note: deltaT " << deltaT << " is above the estimate "
-             << maxDeltaT() << " for the stiffest body; if bodies diverge, "
-             << "reduce it" << nl << endl;
-    }
     writer_->start();
+}
+
+void Foam::bodyCollection::checkDeltaT()
+{
+    string group;
+    const Time& time = mesh_.time();
+    const scalar limit = maxDeltaT(&group), deltaT = time.deltaTValue();
+    if (deltaT <= (1 + 1e-6) * limit) return;
+
+    const string what("deltaT " + Foam::name(deltaT) + " is " +
+                      Foam::name(deltaT / limit) + " times what the " + group +
+                      " bear by the estimate, " + Foam::name(limit) + " s");
+    if (lastMoved_ < 0 && deltaT > 200 * limit)
+    {
+        FatalErrorInFunction << what.c_str()
+                             << ": bodies would diverge within a few steps"
+                             << nl << "    allowed: deltaT up to " << Foam::name(limit)
+                             << ", at most 200 times that, or softer bodies"
+                             << exit(FatalError);
+    }
+    if (warned_ >= 0 && time.timeIndex() < warned_ + stepGuard::pause) return;
+    warned_ = time.timeIndex();
+    if (Pstream::master())
+    {
+        WarningInFunction
+            << what.c_str() << nl << "    If bodies diverge, reduce it"
+            << (adjusted() ? " (maxDeltaT in system/controlDict: this solver "
+                             "adjusts its step without regard to bodies)"
+                           : "")
+            << endl;
+    }
 }
 
 Foam::tmp<Foam::volVectorField> Foam::bodyCollection::cellForce() const

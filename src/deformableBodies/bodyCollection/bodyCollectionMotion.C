@@ -10,6 +10,16 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
     if (lastMoved_ == time.timeIndex()) return;
 
     staggeredField faces(grid_.box());
+    if (!empty() && !alone_ && !solverBalances_)
+    {
+        if (!guard_)
+        {
+            guard_.reset(new stepGuard(phi));
+            guard_->expect(1, "bodies, which move with the velocity of the last "
+                              "step", true);
+        }
+        guard_->check(stepGuard::CourantNo(phi));
+    }
     if (!empty())
     {
         // The velocity lies where the force will: directly forced bodies, which
@@ -54,6 +64,7 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
 {
     const Time& time = mesh_.time();
     if (lastMoved_ < 0) start();
+    checkDeltaT();
     lastMoved_ = time.timeIndex();
     if (empty())
     {

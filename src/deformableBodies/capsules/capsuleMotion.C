@@ -45,7 +45,8 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
         if (scene_.deltaT <= maxDeltaT_)
         {
             motion = EXPLICIT;
-            note = "not needed up to deltaT = " + Foam::name(maxDeltaT_);
+            note = "not needed up to deltaT = " + Foam::name(maxDeltaT_) +
+                   (scene_.deltaT > 0 ? "" : ", which adjustTimeStep keeps to");
         }
         else if (inertia < 30)
         {

@@ -4,6 +4,7 @@
 #include "dictionaryChecks.H"
 #include "flowSources.H"
 #include "staggeredFlow.H"
+#include <functional>
 
 Foam::flowAlgorithm::flowAlgorithm(const dictionary& controls,
                                    const string& obstacle)
@@ -47,13 +48,30 @@ Foam::string Foam::flowAlgorithm::obstacle(const volVectorField& U,
                                            const word& transport,
                                            const word& turbulence)
 {
-    const string flow(staggeredFlow::unsupported(U, p));
-    if (!flow.empty()) return flow;
-    if (turbulence != "Stokes" ||
-        (transport != "Newtonian" && transport != "prescribed"))
+    const auto meshAndConditions = [&]()
+    { return staggeredFlow::unsupported(U, p); };
+
+    const auto models = [&]()
     {
-        return "it knows laminar flow of a fluid of given viscosity only "
-               "(transportModel Newtonian or prescribed)";
+        const bool known =
+            turbulence == "Stokes" &&
+            (transport == "Newtonian" || transport == "prescribed");
+        return known
+                   ? string::null
+                   : string("it knows laminar flow of a fluid of given "
+                            "viscosity only (transportModel Newtonian or "
+                            "prescribed); turbulence is " +
+                            turbulence + ", transportModel " + transport);
+    };
+
+    const auto options = [&]() { return flowSources::unsupported(sources, U); };
+
+    string all;
+    for (const auto& reason :
+         List<std::function<string()>>({meshAndConditions, models, options}))
+    {
+        const string one(reason());
+        if (!one.empty()) all += (all.empty() ? "" : "; ") + one;
     }
-    return flowSources::unsupported(sources, U);
+    return all;
 }

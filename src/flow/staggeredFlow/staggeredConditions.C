@@ -3,8 +3,45 @@
 // Which meshes and boundary conditions the algorithm can run
 
 #include "staggeredFlow.H"
+#include "dictionaryChecks.H"
 #include "fixedValueFvPatchFields.H"
 #include "zeroGradientFvPatchFields.H"
+
+namespace
+{
+using namespace Foam;
+
+//- Velocities of walls that are functions of place and time, and those whose code
+//  may look at the fields. Others that fix a value may follow the flow
+const wordList ofTime({"fixedValue", "noSlip", "uniformFixedValue",
+                       "movingWallVelocity", "translatingWallVelocity",
+                       "rotatingWallVelocity", "timeVaryingMappedFixedValue"});
+const wordList coded({"codedFixedValue", "exprFixedValue"});
+
+//- A jump across a periodic side, for one, is a type of its own
+const wordList ofCyclic({"cyclic", "processor", "processorCyclic"});
+
+string unknownU(const fvPatchVectorField& Ub)
+{
+    const bool known = Ub.coupled() ? ofCyclic.found(Ub.type())
+                                    : ofTime.found(Ub.type()) ||
+                                          coded.found(Ub.type());
+    if (known) return string::null;
+    return "of conditions for U it knows cyclic and fixed velocities of walls; "
+           "it is " +
+           Ub.type() + " on patch " + Ub.patch().name();
+}
+
+string unknownP(const fvPatchScalarField& pb)
+{
+    const bool known =
+        pb.coupled() ? ofCyclic.found(pb.type())
+                     : pb.type() == zeroGradientFvPatchScalarField::typeName;
+    if (known) return string::null;
+    return "of conditions for p it knows cyclic and zeroGradient; it is " +
+           pb.type() + " on patch " + pb.patch().name();
+}
+} // namespace
 
 Foam::string Foam::staggeredFlow::unsupported(const volVectorField& U,
                                               const volScalarField& p)
@@ -24,35 +61,24 @@ Foam::string Foam::staggeredFlow::unsupported(const volVectorField& U,
     string reason;
     forAll(U.boundaryField(), patchi)
     {
-        const fvPatchVectorField& Ub = U.boundaryField()[patchi];
-        const fvPatchScalarField& pb = p.boundaryField()[patchi];
-        if (Ub.coupled()) continue;
+        if (reason.empty()) reason = unknownU(U.boundaryField()[patchi]);
+        if (reason.empty()) reason = unknownP(p.boundaryField()[patchi]);
+    }
+    reason = firstOf(reason);
+    if (!reason.empty()) return reason;
 
-        const string where = " on patch " + Ub.patch().name();
-        if (!isA<fixedValueFvPatchVectorField>(Ub))
-        {
-            reason = "of conditions for U it knows cyclic and fixedValue; it "
-                     "is " +
-                     Ub.type() + where;
-        }
-        if (!isA<zeroGradientFvPatchScalarField>(pb))
-        {
-            reason = "of conditions for p it knows cyclic and zeroGradient; "
-                     "it is " +
-                     pb.type() + where;
-        }
-    }
-    // Some rank's reason for all
-    List<string> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = reason;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-    for (const string& r : all)
-    {
-        if (!r.empty()) return r;
-    }
     wallVelocities unused;
     return readWalls(U, unused);
+}
+
+bool Foam::staggeredFlow::wallsLookAtFields() const
+{
+    bool any = false;
+    for (const fvPatchVectorField& Ub : U_.boundaryField())
+    {
+        any = any || (!Ub.coupled() && !ofTime.found(Ub.type()));
+    }
+    return returnReduce(any, orOp<bool>());
 }
 
 void Foam::staggeredFlow::requireBlocks(const fvMesh& mesh,

@@ -278,10 +278,17 @@ void Foam::staggeredFlow::addCells(const vectorField& cells,
     }
 }
 
+Foam::scalar Foam::staggeredFlow::maxDeltaT() const
+{
+    return diffusion_ == EXPLICIT && nuMax_ > 0
+               ? explicitLimit() / grid_.diffusionNumber(nuMax_, 1)
+               : GREAT;
+}
+
 void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
 {
     const bool before = explicit_;
-    const scalar limit = RK3_ ? 0.2 : 0.08;
+    const scalar limit = explicitLimit();
     const scalar number = grid_.diffusionNumber(nuMax_, dt);
 
     if (diffusion_ == AUTO)
@@ -326,6 +333,7 @@ void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
 void Foam::staggeredFlow::begin(const scalar dt)
 {
     chooseDiffusion(dt);
+    filled_ = false;
 
     wallsBefore_ = walls_;
     if (wallsChange_)
@@ -394,23 +402,29 @@ void Foam::staggeredFlow::restore(const snapshot& s)
     walls_ = s.walls;
     wallsAhead_ = s.walls;
     responseTo_ = -1;
+    filled_ = false;
     if (history_) history_->rename(history::nameOf(explicit_));
 }
 
 Foam::scalar Foam::staggeredFlow::CourantNo(const scalar dt) const
 {
     scalar largest = 0;
+    bool bad = false;
     const vector r(1 / grid_.h().x(), 1 / grid_.h().y(), 1 / grid_.h().z());
     block_.rows(
         [&](const label q, const label)
         {
             for (label i = q; i < q + box_.size.x(); ++i)
             {
-                largest =
-                    max(largest, mag(u_[0][i]) * r.x() + mag(u_[1][i]) * r.y() +
-                                     mag(u_[2][i]) * r.z());
+                const scalar rate = mag(u_[0][i]) * r.x() +
+                                    mag(u_[1][i]) * r.y() +
+                                    mag(u_[2][i]) * r.z();
+                largest = max(largest, rate);
+                bad |= !(rate < VGREAT);
             }
         });
+    // A maximum does not see what is no number
+    if (returnReduce(bad, orOp<bool>())) return GREAT * GREAT;
     return dt * returnReduce(largest, maxOp<scalar>());
 }
 
@@ -436,6 +450,16 @@ Foam::scalar Foam::staggeredFlow::divergence()
     reduce(largest, maxOp<scalar>());
     reduce(speed, maxOp<scalar>());
     return largest * cmptMin(h) / speed;
+}
+
+// What p has more than pressure_
+Foam::scalar Foam::staggeredFlow::levelOfPressure() const
+{
+    if (!hasReference_) return 0;
+    const scalar here = referenceCell_ < 0
+                            ? 0
+                            : pressure_[block_.placeOf(referenceCell_)];
+    return referenceValue_ - returnReduce(here, sumOp<scalar>());
 }
 
 void Foam::staggeredFlow::fill()
@@ -469,8 +493,100 @@ void Foam::staggeredFlow::fill()
         }
         p_[celli] = pressure_[q];
     }
+    if (hasReference_) p_.primitiveFieldRef() += levelOfPressure();
     Info << "Largest divergence, relative to max|u|/h: " << divergence()
          << endl;
     U_.correctBoundaryConditions();
     p_.correctBoundaryConditions();
+    filled_ = true;
+}
+
+void Foam::staggeredFlow::takeOver()
+{
+    if (!filled_) return;
+    const auto timing(effects_.time("fields"));
+
+    // What is theirs less what is ours, of phi as a velocity
+    vectorField U(U_.size());
+    scalarField p(p_.size());
+    grid_.toStaggered(phi_, force_);
+    const scalar level = levelOfPressure();
+    vector change(Zero), size(Zero);
+    forAll(grid_.index(), celli)
+    {
+        const label n = grid_.index()[celli], q = block_.placeOf(celli);
+        for (direction d = 0; d < 3; ++d)
+        {
+            const scalar u = u_[d][q];
+            U[celli][d] =
+                U_[celli][d] - 0.5 * (u + u_[d][q + block_.stride(d)]);
+            change.x() = max(change.x(), mag(U[celli][d]));
+            change.y() = max(change.y(), mag(force_[d][n] - u));
+            size.x() = max(size.x(), mag(u));
+        }
+        p[celli] = p_[celli] - (pressure_[q] + level);
+        change.z() = max(change.z(), mag(p[celli]));
+        size.z() = max(size.z(), mag(pressure_[q] + level));
+    }
+    size.y() = size.x();
+    reduce(change, maxOp<vector>());
+    reduce(size, maxOp<vector>());
+    const auto changed = [&](const direction which)
+    { return change[which] > 1e-10 * size[which]; };
+    if (!changed(0) && !changed(1) && !changed(2)) return;
+
+    if (!tookOver_)
+    {
+        Info << "Between two steps" << (changed(0) ? " U" : "")
+             << (changed(1) ? " phi" : "") << (changed(2) ? " p" : "")
+             << " changed (by a functionObject?): staggered takes that over"
+             << endl;
+        tookOver_ = true;
+    }
+    if (changed(1) || changed(0))
+    {
+        if (changed(1))
+        {
+            block_.rows(
+                [&](const label q, const label n)
+                {
+                    for (direction d = 0; d < 3; ++d)
+                    {
+                        std::copy_n(force_[d].cdata() + n, box_.size.x(),
+                                    u_[d].data() + q);
+                    }
+                });
+        }
+        else
+        {
+            force_.clear();
+            addCells(U, 1);
+            block_.rows(
+                [&](const label q, const label n)
+                {
+                    for (direction d = 0; d < 3; ++d)
+                    {
+                        for (label i = 0; i < box_.size.x(); ++i)
+                        {
+                            u_[d][q + i] += force_[d][n + i];
+                        }
+                    }
+                });
+        }
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (!block_.wallBelow(d)) continue;
+            block_.layer(d, 0, [&](const labelVector& l)
+                         { u_[d][block_.place(l)] = 0; });
+        }
+        updateVelocity();
+    }
+    if (changed(2))
+    {
+        forAll(p, celli)
+        {
+            pressure_[block_.placeOf(celli)] += p[celli];
+        }
+        block_.update(pressure_.data());
+    }
 }

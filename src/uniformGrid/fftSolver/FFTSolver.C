@@ -61,8 +61,29 @@ Foam::solverPerformance Foam::FFTSolver::solve(scalarField& psi,
         ++performance.nIterations();
 
         // At round-off a further pass gains nothing
-        if (performance.finalResidual() > 0.5 * before) break;
+        if (!(performance.finalResidual() <= 0.5 * before)) break;
     }
-    performance.checkConvergence(tolerance_, relTol_);
+    if (!performance.checkConvergence(tolerance_, relTol_))
+    {
+        // What no solution has: the mean, where the level of psi is free; and
+        // what round-off leaves of the sums over neighbours
+        if (box.singular()) residual -= gAverage(residual);
+        const scalar reached = gSumMag(residual) / norm;
+        const scalar roundOff =
+            1e-14 * gSum(mag(matrix_.diag() * psi) + mag(source)) / norm;
+        const scalar wanted =
+            max(tolerance_, relTol_ * performance.initialResidual());
+        if (!(reached <= max(wanted, roundOff)))
+        {
+            FatalErrorInFunction
+                << "FFT has not solved for " << fieldName_ << ": residual "
+                << reached << " after " << performance.nIterations()
+                << " passes, tolerance " << wanted << " (round-off "
+                << roundOff << ")" << nl
+                << "    Allow more passes (maxIter) or a larger tolerance, or "
+                << "use  solver PCG; preconditioner FFT;  in fvSolution"
+                << exit(FatalError);
+        }
+    }
     return performance;
 }

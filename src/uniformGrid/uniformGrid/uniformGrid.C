@@ -2,6 +2,7 @@
 
 #include "uniformGrid.H"
 #include "boxLattice.H"
+#include "dictionaryChecks.H"
 #include "syncTools.H"
 #include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
@@ -57,29 +58,58 @@ Foam::string Foam::uniformGrid::recogniseSides()
         faceDir_[facei] = d + (mesh.faceAreas()[facei][d] < 0 ? 4 : 0);
     }
 
+    // Where the faces of a cyclic pair lie, seen from the other side. By
+    // components, as vectors would be turned
+    FixedList<scalarField, 3> beyond;
+    for (direction d = 0; d < 3; ++d)
+    {
+        const label begin = mesh.nInternalFaces();
+        beyond[d] = SubField<vector>(mesh.faceCentres(), mesh.nFaces() - begin,
+                                     begin)
+                        .component(d);
+        syncTools::swapBoundaryFaceList(mesh, beyond[d]);
+    }
+
     // A side of the box is periodic where all its faces are coupled
     labelVector coupled(labelVector::zero), closed(labelVector::zero);
-    word other;
+    string other;
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
         if (pp.coupled() && !isA<cyclicPolyPatch>(pp) &&
             !isA<processorPolyPatch>(pp))
         {
-            other = pp.name() + " is of type " + pp.type();
+            other = "of coupled patches it takes cyclic ones only, and patch " +
+                    pp.name() + " is of type " + pp.type();
+            continue;
         }
         forAll(pp, i)
         {
             const label facei = pp.start() + i;
             const direction d = faceDirection(facei);
-            const label at = ijk(mesh.faceOwner()[facei])[d];
-            if (at == (lowerSide(facei) ? 0 : n_[d] - 1))
-            {
+            const point& x = mesh.faceCentres()[facei];
+            const bool atSide =
+                ijk(mesh.faceOwner()[facei])[d] ==
+                    (lowerSide(facei) ? 0 : n_[d] - 1) &&
                 // Between two ranks inside the box the cell is at the side
                 // only by its other face: the face position decides
-                const scalar x = mesh.faceCentres()[facei][d] - origin_[d];
-                if (x < 0.5 * h_[d] || x > (n_[d] - 0.5) * h_[d])
+                (x[d] < origin_[d] + 0.5 * h_[d] ||
+                 x[d] > origin_[d] + (n_[d] - 0.5) * h_[d]);
+            if (atSide) (pp.coupled() ? coupled : closed)[d] = 1;
+            if (!pp.coupled() && !atSide)
+            {
+                other = "patch " + pp.name() + " has faces inside the box";
+            }
+            if (pp.coupled())
+            {
+                const label n = facei - mesh.nInternalFaces();
+                const scalar length = n_[d] * h_[d];
+                vector away(beyond[0][n] - x.x(), beyond[1][n] - x.y(),
+                            beyond[2][n] - x.z());
+                if (atSide) away[d] += lowerSide(facei) ? -length : length;
+                if (mag(away) > 1e-3 * cmptMin(h_))
                 {
-                    (pp.coupled() ? coupled : closed)[d] = 1;
+                    other = "the faces of patch " + pp.name() +
+                            " do not face those of its neighbour";
                 }
             }
         }
@@ -87,11 +117,8 @@ Foam::string Foam::uniformGrid::recogniseSides()
     reduce(coupled, maxOp<labelVector>());
     reduce(closed, maxOp<labelVector>());
 
-    if (returnReduce(!other.empty(), orOp<bool>()))
-    {
-        return "of coupled patches it takes cyclic ones only, and patch " +
-               other;
-    }
+    const string reason(firstOf(other));
+    if (!reason.empty()) return reason;
     for (direction d = 0; d < 3; ++d)
     {
         if (coupled[d] && closed[d])
