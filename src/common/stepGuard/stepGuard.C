@@ -59,7 +59,8 @@ void Foam::stepGuard::check(const scalar Co, const std::function<void()>& fill)
     }
 
     if (Co <= stable_ || rate_ == 0) rate_ = max(rate_, Co / dt);
-    if (Co <= stable_ ||
+    // An adjusted step is adjusted to the velocity before
+    if (Co <= 1.05 * stable_ ||
         (warned_ >= 0 && time.timeIndex() < warned_ + pause))
     {
         return;

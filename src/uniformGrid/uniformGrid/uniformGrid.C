@@ -82,6 +82,12 @@ Foam::string Foam::uniformGrid::recogniseSides()
                     pp.name() + " is of type " + pp.type();
             continue;
         }
+        if (isA<coupledPolyPatch>(pp) &&
+            !refCast<const coupledPolyPatch>(pp).parallel())
+        {
+            other = "patch " + pp.name() + " is turned onto its neighbour";
+            continue;
+        }
         forAll(pp, i)
         {
             const label facei = pp.start() + i;
