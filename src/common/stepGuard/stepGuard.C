@@ -68,12 +68,13 @@ void Foam::stepGuard::check(const scalar Co, const std::function<void()>& fill)
     warned_ = time.timeIndex();
     if (Pstream::master())
     {
-        WarningInFunction
-            << "Courant number " << Foam::name(Co) << " at time " << time.timeName()
-            << " is above " << stable_ << ", the largest for " << who_.c_str()
-            << nl << "    Reduce deltaT from " << Foam::name(dt) << " to less than "
-            << Foam::name(stable_ * dt / Co) << ", or write adjustTimeStep yes; maxCo "
-            << 0.5 * stable_ << "; in system/controlDict" << endl;
+        WarningInFunction << "Courant number " << Foam::name(Co) << " at time "
+                          << time.timeName() << " is above " << stable_
+                          << ", the largest for " << who_.c_str() << nl
+                          << "    Reduce deltaT from " << Foam::name(dt)
+                          << " to less than " << Foam::name(stable_ * dt / Co)
+                          << ", or write adjustTimeStep yes; maxCo "
+                          << 0.5 * stable_ << "; in system/controlDict" << endl;
     }
 }
 
@@ -118,12 +119,13 @@ void Foam::stepGuard::stop(const string& what, const scalar Co,
     OStringStream allowed;
     if (borne < dt)
     {
-        allowed << "allowed: deltaT up to about " << Foam::name(borne) << ", for "
-                << who_.c_str();
+        allowed << "allowed: deltaT up to about " << Foam::name(borne)
+                << ", for " << who_.c_str();
     }
     else
     {
-        allowed << "deltaT was below the flow's own limit, " << Foam::name(borne)
+        allowed << "deltaT was below the flow's own limit, "
+                << Foam::name(borne)
                 << ": bodies, forces or conditions need a smaller one";
     }
     FatalErrorInFunction
@@ -131,7 +133,8 @@ void Foam::stepGuard::stop(const string& what, const scalar Co,
         << " at time " << time.timeName() << ", cell at " << where.second()
         << ": " << what.c_str() << ", deltaT " << Foam::name(dt) << nl << "    "
         << allowed.str().c_str() << nl
-        << (starting ? "" : "    What it looks like has been written to this "
-                            "time; go on from an earlier one")
+        << (starting ? ""
+                     : "    What it looks like has been written to this "
+                       "time; go on from an earlier one")
         << exit(FatalError);
 }

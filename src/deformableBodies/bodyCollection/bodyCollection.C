@@ -247,7 +247,8 @@ Foam::scalar Foam::bodyCollection::maxDeltaT(string* reason) const
         if (groups_[g].twoWay() && groups_[g].maxDeltaT() < limit)
         {
             limit = groups_[g].maxDeltaT();
-            if (reason) *reason = "stiffest waves of group " + groups_[g].name();
+            if (reason)
+                *reason = "stiffest waves of group " + groups_[g].name();
         }
     }
     return limit;
@@ -272,11 +273,10 @@ void Foam::bodyCollection::checkDeltaT()
                       " bear by the estimate, " + Foam::name(limit) + " s");
     if (lastMoved_ < 0 && deltaT > 200 * limit)
     {
-        FatalErrorInFunction << what.c_str()
-                             << ": bodies would diverge within a few steps"
-                             << nl << "    allowed: deltaT up to " << Foam::name(limit)
-                             << ", at most 200 times that, or softer bodies"
-                             << exit(FatalError);
+        FatalErrorInFunction
+            << what.c_str() << ": bodies would diverge within a few steps" << nl
+            << "    allowed: deltaT up to " << Foam::name(limit)
+            << ", at most 200 times that, or softer bodies" << exit(FatalError);
     }
     if (warned_ >= 0 && time.timeIndex() < warned_ + stepGuard::pause) return;
     warned_ = time.timeIndex();

@@ -15,8 +15,10 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
         if (!guard_)
         {
             guard_.reset(new stepGuard(phi));
-            guard_->expect(1, "bodies, which move with the velocity of the last "
-                              "step", true);
+            guard_->expect(1,
+                           "bodies, which move with the velocity of the last "
+                           "step",
+                           true);
         }
         guard_->check(stepGuard::CourantNo(phi));
     }

@@ -56,12 +56,11 @@ Foam::string Foam::flowAlgorithm::obstacle(const volVectorField& U,
         const bool known =
             turbulence == "Stokes" &&
             (transport == "Newtonian" || transport == "prescribed");
-        return known
-                   ? string::null
-                   : string("it knows laminar flow of a fluid of given "
-                            "viscosity only (transportModel Newtonian or "
-                            "prescribed); turbulence is " +
-                            turbulence + ", transportModel " + transport);
+        return known ? string::null
+                     : string("it knows laminar flow of a fluid of given "
+                              "viscosity only (transportModel Newtonian or "
+                              "prescribed); turbulence is " +
+                              turbulence + ", transportModel " + transport);
     };
 
     const auto options = [&]() { return flowSources::unsupported(sources, U); };

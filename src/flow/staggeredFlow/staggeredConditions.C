@@ -23,9 +23,9 @@ const wordList ofCyclic({"cyclic", "processor", "processorCyclic"});
 
 string unknownU(const fvPatchVectorField& Ub)
 {
-    const bool known = Ub.coupled() ? ofCyclic.found(Ub.type())
-                                    : ofTime.found(Ub.type()) ||
-                                          coded.found(Ub.type());
+    const bool known = Ub.coupled()
+                           ? ofCyclic.found(Ub.type())
+                           : ofTime.found(Ub.type()) || coded.found(Ub.type());
     if (known) return string::null;
     return "of conditions for U it knows cyclic and fixed velocities of walls; "
            "it is " +

@@ -456,9 +456,8 @@ Foam::scalar Foam::staggeredFlow::divergence()
 Foam::scalar Foam::staggeredFlow::levelOfPressure() const
 {
     if (!hasReference_) return 0;
-    const scalar here = referenceCell_ < 0
-                            ? 0
-                            : pressure_[block_.placeOf(referenceCell_)];
+    const scalar here =
+        referenceCell_ < 0 ? 0 : pressure_[block_.placeOf(referenceCell_)];
     return referenceValue_ - returnReduce(here, sumOp<scalar>());
 }
 
@@ -576,7 +575,8 @@ void Foam::staggeredFlow::takeOver()
         for (direction d = 0; d < 3; ++d)
         {
             if (!block_.wallBelow(d)) continue;
-            block_.layer(d, 0, [&](const labelVector& l)
+            block_.layer(d, 0,
+                         [&](const labelVector& l)
                          { u_[d][block_.place(l)] = 0; });
         }
         updateVelocity();

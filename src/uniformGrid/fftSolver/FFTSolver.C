@@ -78,8 +78,8 @@ Foam::solverPerformance Foam::FFTSolver::solve(scalarField& psi,
             FatalErrorInFunction
                 << "FFT has not solved for " << fieldName_ << ": residual "
                 << reached << " after " << performance.nIterations()
-                << " passes, tolerance " << wanted << " (round-off "
-                << roundOff << ")" << nl
+                << " passes, tolerance " << wanted << " (round-off " << roundOff
+                << ")" << nl
                 << "    Allow more passes (maxIter) or a larger tolerance, or "
                 << "use  solver PCG; preconditioner FFT;  in fvSolution"
                 << exit(FatalError);

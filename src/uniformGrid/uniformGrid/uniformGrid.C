@@ -64,9 +64,9 @@ Foam::string Foam::uniformGrid::recogniseSides()
     for (direction d = 0; d < 3; ++d)
     {
         const label begin = mesh.nInternalFaces();
-        beyond[d] = SubField<vector>(mesh.faceCentres(), mesh.nFaces() - begin,
-                                     begin)
-                        .component(d);
+        beyond[d] =
+            SubField<vector>(mesh.faceCentres(), mesh.nFaces() - begin, begin)
+                .component(d);
         syncTools::swapBoundaryFaceList(mesh, beyond[d]);
     }
 
