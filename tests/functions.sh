@@ -118,7 +118,7 @@ replace()
 }
 
 # stops "what" "pattern" <command>...: the command ends with another status than 0,
-# within two minutes, and its output has the sentence (a regular expression; line
+# within ten minutes, and its output has the sentence (a regular expression; line
 # breaks count as blanks)
 stops() { outcome stops "$@"; }
 
@@ -129,7 +129,7 @@ outcome()
 {
     local expected=$1 what=$2 pattern=$3 status
     shift 3
-    timeout 120 "$@" > log.outcome 2>&1
+    timeout 600 "$@" > log.outcome 2>&1
     status=$?
     check "$what: $expected" \
         test "$( ((status == 0)) && echo goesOn || echo stops)" = "$expected" -a $status -ne 124

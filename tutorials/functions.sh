@@ -1,30 +1,44 @@
 # Sourced by the Allrun scripts, in the folder of the scene: sets up the
 # checkout if need be, takes "entry value" pairs for constant/scene, and
-# makes the case ready.
+# makes the case ready. From here on the first command that fails ends Allrun
+# with its status and a sentence.
 #     ./Allrun                the scene as it stands
 #     ./Allrun entry value    other values of the entries in constant/scene
 #     NP=1 ./Allrun           number of ranks, default 2
-scene=$PWD
-checkout=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-"$checkout"/bin/setup || exit 1
-. "$checkout"/bin/env || exit 1
-set -e
+tutorials=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd) || exit 1
+"$tutorials"/../bin/setup || exit 1
+. "$tutorials"/../bin/env || exit 1
+set -eE -o pipefail
+trap 'echo "Allrun: stopped by the error above, in $PWD" 1>&2' ERR
+
+stop() { echo "Allrun: $*" 1>&2; exit 1; }
+
+# Numbers of ranks, entries and values are checked before an older run is deleted
 NP=${NP:-2}
+[[ $NP =~ ^[1-9][0-9]*$ ]] || stop "NP is '$NP', it must be a number of ranks, 1 and greater"
+[ $(($# % 2)) -eq 0 ] || stop "'${!#}' has no value: ./Allrun entry value [entry value]..."
+for ((i = 1; i < $#; i += 2))
+do
+    grep -q "^${!i} " constant/scene ||
+        stop "constant/scene has no entry '${!i}', but" \
+            "$(sed -n 's/^\([A-Za-z0-9]*\) .*/\1/p' constant/scene | tr '\n' ' ')"
+done
 
 ./Allclean
 while [ $# -ge 2 ]
 do
-    grep -q "^$1 " constant/scene ||
-        { echo "constant/scene has no entry $1"; exit 1; }
-    sed -i "s/^$1\( *\)[^;]*;/$1\1$2;/" constant/scene
+    sed -i "s|^$1\( *\)[^;]*;|$1\1$2;|" constant/scene
     shift 2
 done
+
+# The plots of filaments share what they read, also where a scene was copied
+export PYTHONPATH="$tutorials/filament${PYTHONPATH:+:$PYTHONPATH}"
 
 # Runs a program, its output in log.<program>; one sentence if it fails
 run()
 {
     echo "Running $* (log.$1)"
-    "$@" > "log.$1" 2>&1 || { tail "log.$1"; echo "$1 failed"; exit 1; }
+    "$@" > "log.$1" 2>&1 || { tail "log.$1"; stop "$1 failed (log.$1)"; }
 }
 
 # The solver on NP ranks
@@ -40,12 +54,24 @@ solve()
     run decomposePar
     echo "Running $1 on $NP ranks (log.$1)"
     mpirun --bind-to none --oversubscribe -np "$NP" "$1" -parallel \
-        > "log.$1" 2>&1 || { tail "log.$1"; echo "$1 failed"; exit 1; }
+        > "log.$1" 2>&1 || { tail "log.$1"; stop "$1 failed (log.$1)"; }
     run reconstructPar
 }
 
 # python <script> [arguments]: with numpy and matplotlib
 python() { "$DEFORMABLE_BODIES_DIR/bin/python" "$@"; }
+
+# draw <script> <picture> [arguments]: by VTK, which may be missing or see no display
+draw()
+{
+    python "$@" || echo "No picture $2: VTK could not draw (install python3-vtk9 and xvfb)"
+}
+
+# finished <what else to look at>: the last line; names the pictures that are there
+finished()
+{
+    echo "Done: $(printf '%s, ' results/*.png)$*"
+}
 
 cp -r 0.orig 0
 run blockMesh

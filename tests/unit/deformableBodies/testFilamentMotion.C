@@ -194,7 +194,6 @@ TEST(Filament, DISABLED_cost)
         const double us = 1e6 * d.count() / 3000;
         std::printf("    N = %d: %.1f us, %d iterations\n", int(N), us,
                     int(x.iterations()));
-        if (N == 32) test::expectBelow("N = 32, microseconds", us, 30);
     }
 }
 
