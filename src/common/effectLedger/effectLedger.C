@@ -1,8 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "effectLedger.H"
-#include "Time.H"
-#include "OSspecific.H"
+#include "resultFile.H"
 #include <iomanip>
 #include <sstream>
 
@@ -150,11 +149,7 @@ void Foam::effectLedger::write()
 {
     if (Pstream::master() && !file_.valid())
     {
-        const fileName dir(time_.globalPath() / "postProcessing" /
-                           "effectCost" /
-                           Time::timeName(time_.startTime().value()));
-        mkDir(dir);
-        file_.reset(new OFstream(dir / "effectCost.dat"));
+        file_ = newResultFile(time_, "effectCost", "effectCost.dat");
         file_() << "# time effect seconds calls" << nl;
     }
     rows(

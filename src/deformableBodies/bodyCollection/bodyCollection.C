@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "bodyCollection.H"
+#include "bodyForceField.H"
 #include "dictionaryChecks.H"
 #include "fvc.H"
 #include "OSspecific.H"
@@ -54,7 +55,15 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
     }
     read(dict);
     readState(dict);
-    writer_.reset(new bodyWriter(mesh.time(), groups_, effects_));
+    forceField_.reset(new bodyForceField(mesh, *this));
+    const bool wrap = dict.getOrDefault<bool>("wrap", false);
+    writer_.reset(
+        new bodyWriter(mesh.time(), groups_, effects_,
+                       "postProcessing/bodies, " +
+                           (sampleInterval_ == 1
+                                ? string("each step")
+                                : "one step in " + Foam::name(sampleInterval_)),
+                       wrap ? &grid_ : nullptr));
 }
 
 Foam::bodyCollection& Foam::bodyCollection::New(const fvMesh& mesh,
@@ -84,9 +93,9 @@ Foam::bodyCollection::~bodyCollection()
 
 void Foam::bodyCollection::read(const IOdictionary& dict)
 {
-    checkEntries(dict,
-                 {"FoamFile", "variables", "bodies", "sampleInterval",
-                  "accuracy", "kernel", "coupling", "interactions", "loads"});
+    checkEntries(dict, {"FoamFile", "variables", "bodies", "sampleInterval",
+                        "accuracy", "kernel", "coupling", "interactions",
+                        "loads", "wrap"});
 
     if (!dict.subOrEmptyDict("interactions").empty())
     {
@@ -94,12 +103,6 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                "an empty one; not available yet");
     }
 
-    sampleInterval_ = dict.getOrDefault<label>("sampleInterval", 1);
-    if (sampleInterval_ < 1)
-    {
-        refuse(dict, "sampleInterval", Foam::name(sampleInterval_),
-               "1 and greater");
-    }
     const IOdictionary transport(
         IOobject("transportProperties", mesh_.time().constant(), mesh_,
                  IOobject::MUST_READ, IOobject::NO_WRITE, false));
@@ -131,14 +134,31 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
         inFluid = inFluid || !groups_.last().alone();
     }
 
+    // Samples of many bodies at each step would cost a good part of it
+    label nBodies = 0;
+    forAll(groups_, g)
+    {
+        nBodies += groups_[g].nBodies();
+    }
+    sampleInterval_ =
+        dict.getOrDefault<label>("sampleInterval", max(label(1), nBodies / 16));
+    if (sampleInterval_ < 1)
+    {
+        refuse(dict, "sampleInterval", Foam::name(sampleInterval_),
+               "1 and greater");
+    }
+
     alone_ = !empty() && !inFluid;
     effects_.declare("interpolation", inFluid,
                      inFluid ? deltaKernel::names[markers_->kernel().type()] +
                                    " kernel at face centres"
                              : word("coupling none"));
     effects_.declare("spreading", feedback,
-                     feedback ? "loads act on the fluid"
-                              : "coupling oneWay or none");
+                     !feedback ? "coupling oneWay or none"
+                     : periodicBox()
+                         ? "loads act on the fluid, less their mean, which "
+                           "nothing holds in a box without walls"
+                         : "loads act on the fluid");
     readViscosityRatios(transport);
     effects_.declare("interactions", false, "none given");
     readLoads(dict.subOrEmptyDict("loads"));
@@ -294,4 +314,22 @@ void Foam::bodyCollection::checkDeltaT()
 Foam::tmp<Foam::volVectorField> Foam::bodyCollection::cellForce() const
 {
     return fvc::reconstruct(*forceFlux_);
+}
+
+Foam::tmp<Foam::volVectorField> Foam::bodyCollection::fluidForce()
+{
+    staggeredField faces(grid_.box());
+    const vectorField X(collectLoads(identity(groups_.size())));
+    if (returnReduce(X.size(), maxOp<label>()))
+    {
+        const auto timing(effects_.time("spreading"));
+        markers_->place(X);
+        markers_->spread(F_, faces);
+    }
+    surfaceScalarField flux(
+        IOobject("bodyForceFlux", mesh_.time().timeName(), mesh_), mesh_,
+        dimensionedScalar(dimForce / dimVolume * dimArea, Zero));
+    flux.setOriented();
+    grid_.toFlux(faces, flux);
+    return fvc::reconstruct(flux);
 }

@@ -1,24 +1,26 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "bodyWriter.H"
+#include "bodyPicture.H"
 #include "foamVtkSeriesWriter.H"
-#include "foamVtkSurfaceWriter.H"
 #include "IPstream.H"
 #include "OPstream.H"
-#include "OSspecific.H"
-#include <fstream>
-#include <iomanip>
-#include <sstream>
+#include "resultFile.H"
+#include <cmath>
+#include <cstdio>
+#include <set>
 
 Foam::bodyWriter::bodyWriter(const Time& time, const PtrList<bodyGroup>& groups,
-                             effectLedger& effects)
+                             effectLedger& effects, const string& note,
+                             const uniformGrid* wrapInto)
     : time_(time),
       groups_(groups),
       effects_(effects),
       startTime_(time.value()),
-      startIndex_(time.timeIndex())
+      startIndex_(time.timeIndex()),
+      wrapInto_(wrapInto)
 {
-    effects_.declare("samples", true, "postProcessing/bodies");
+    effects_.declare("samples", true, note);
     effects_.declare("pictures", true, "VTK/bodies");
 }
 
@@ -33,19 +35,18 @@ void Foam::bodyWriter::sample(const scalar now)
     const auto timing(effects_.time("samples"));
     if (Pstream::master() && files_.empty())
     {
-        const fileName dir(time_.globalPath() / "postProcessing" / "bodies" /
-                           Time::timeName(time_.startTime().value()));
-        mkDir(dir);
         files_.setSize(groups_.size());
         forAll(groups_, g)
         {
-            files_.set(g, new OFstream(dir / groups_[g].name() + ".dat"));
-            files_[g] << "# time body";
-            for (const word& name : groups_[g].columns())
+            files_.set(
+                g, newResultFile(time_, "bodies", groups_[g].name() + ".dat"));
+            std::string names("# time body"), units("# [s] [number]");
+            for (const bodyColumn& c : groups_[g].columns())
             {
-                files_[g] << ' ' << name;
+                names += " " + c.name;
+                units += " [" + c.unit + "]";
             }
-            files_[g] << endl;
+            files_[g] << names.c_str() << nl << units.c_str() << endl;
         }
     }
 
@@ -54,60 +55,54 @@ void Foam::bodyWriter::sample(const scalar now)
         const bodyGroup& group = groups_[g];
         const List<scalarList> rows(inOrder<scalarList>(
             group, [&](const label i) { return group.sample(i); }));
+        if (!Pstream::master()) continue;
+
+        std::string text;
+        const auto add = [&](const char* format, const auto value)
+        {
+            char number[32];
+            std::snprintf(number, sizeof(number), format, value);
+            text += number;
+        };
         forAll(rows, body)
         {
-            std::ostringstream line;
-            line << std::setprecision(10) << now << ' ' << body;
+            add("%.10g", double(now));
+            add(" %ld", long(body));
             for (const scalar x : rows[body])
             {
-                line << ' ' << x;
+                add(" %.10g", double(x));
             }
-            files_[g] << line.str().c_str() << nl;
+            text += '\n';
         }
-        if (Pstream::master()) files_[g].flush();
+        files_[g].stdStream() << text << std::flush;
+        log(group, rows);
     }
 }
 
-namespace Foam
+void Foam::bodyWriter::log(const bodyGroup& group, const List<scalarList>& rows)
 {
-// A surface travels as its points and fields; the faces are the same for all
-// bodies of a group
-static List<scalarField> packed(const bodySurface& s)
-{
-    List<scalarField> p;
-    const auto add = [&](const vectorField& v)
+    Info << "Bodies " << group.name() << ": " << rows.size();
+    label k = 0;
+    for (const bodyColumn& c : group.columns())
     {
-        for (direction d = 0; d < 3; ++d)
+        if (c.inLog)
         {
-            p.append(scalarField(v.component(d)));
+            scalar least = GREAT, largest = -GREAT;
+            for (const scalarList& row : rows)
+            {
+                least = min(least, row[k]);
+                largest = max(largest, row[k]);
+            }
+            Info << ", " << c.name << ' ' << least;
+            if (largest > least) Info << " to " << largest;
         }
-    };
-    add(s.points);
-    for (const vectorField& v : s.vectors)
-    {
-        add(v);
+        ++k;
     }
-    p.append(s.scalars);
-    return p;
-}
-} // namespace Foam
-
-// The writer of surfaces of OpenFOAM v1912 knows no lines; in this format they
-// differ from polygons by name alone
-static void polygonsToLines(const Foam::fileName& file)
-{
-    std::stringstream text;
-    text << std::ifstream(file).rdbuf();
-    std::string s(text.str());
-    for (const std::string before : {"NumberOf", "<", "</"})
-    {
-        const auto at = s.find(before + "Polys");
-        if (at != std::string::npos) s.replace(at + before.size(), 5, "Lines");
-    }
-    std::ofstream(file) << s;
+    Info << endl;
 }
 
-// The first rank may have no body to know from how all of them are drawn
+// How all bodies of a group are drawn, known to the first rank, which may have
+// none of them
 static void shareLayout(const Foam::bodyGroup& group, Foam::bodySurface& layout)
 {
     using namespace Foam;
@@ -116,17 +111,36 @@ static void shareLayout(const Foam::bodyGroup& group, Foam::bodySurface& layout)
     if (from == Pstream::masterNo()) return;
     if (Pstream::myProcNo() == from)
     {
-        OPstream os(Pstream::commsTypes::blocking, Pstream::masterNo());
+        OPstream os(Pstream::commsTypes::scheduled, Pstream::masterNo());
         os << label(layout.lines) << layout.faces << layout.scalarNames
            << layout.vectorNames;
     }
     if (Pstream::master())
     {
-        IPstream is(Pstream::commsTypes::blocking, from);
+        IPstream is(Pstream::commsTypes::scheduled, from);
         label lines;
         is >> lines >> layout.faces >> layout.scalarNames >> layout.vectorNames;
         layout.lines = lines;
     }
+}
+
+Foam::bodySurface Foam::bodyWriter::surface(const bodyGroup& group,
+                                            const label i) const
+{
+    bodySurface s(group.surface(i));
+    if (!wrapInto_) return s;
+    const vector L(wrapInto_->length());
+    const vector at(group.centre(i) - wrapInto_->origin());
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (!wrapInto_->periodic(d)) continue;
+        const scalar shift = L[d] * std::floor(at[d] / L[d]);
+        for (point& x : s.points)
+        {
+            x[d] -= shift;
+        }
+    }
+    return s;
 }
 
 void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
@@ -137,79 +151,70 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
     forAll(groups_, g)
     {
         const bodyGroup& group = groups_[g];
+        const labelList& mine = group.mine();
         bodySurface layout;
-        const List<List<scalarField>> bodies(
-            inOrder<List<scalarField>>(group,
-                                       [&](const label i)
-                                       {
-                                           layout = group.surface(i);
-                                           return packed(layout);
-                                       }));
+        if (mine.size()) layout = group.surface(0);
         shareLayout(group, layout);
-        if (!Pstream::master() || bodies.empty()) continue;
-
-        const label nPoints = bodies[0][0].size();
-        const label nAll = nPoints * bodies.size();
-        const label nVectors = layout.vectorNames.size();
-        const auto vectors = [&](const label first)
+        const label nPoints =
+            returnReduce(layout.points.size(), maxOp<label>());
+        List<labelList> numbers(Pstream::nProcs());
+        numbers[Pstream::myProcNo()] = mine;
+        Pstream::gatherList(numbers);
+        labelList owner(group.nBodies());
+        forAll(numbers, proci)
         {
-            vectorField v(nAll);
-            forAll(bodies, body)
-            {
-                for (label k = 0; k < nPoints; ++k)
-                {
-                    for (direction d = 0; d < 3; ++d)
-                    {
-                        v[body * nPoints + k][d] = bodies[body][first + d][k];
-                    }
-                }
-            }
-            return v;
-        };
-
-        const pointField points(vectors(0));
-        DynamicList<face> faces;
-        scalarField number(nAll);
-        forAll(bodies, body)
-        {
-            for (face f : layout.faces)
-            {
-                for (label& p : f)
-                {
-                    p += body * nPoints;
-                }
-                faces.append(f);
-            }
-            SubField<scalar>(number, nPoints, body * nPoints) = scalar(body);
+            UIndirectList<label>(owner, numbers[proci]) = proci;
         }
-        const faceList allFaces(std::move(faces));
 
-        mkDir(dir);
         const fileName stem(dir / group.name() + "_" + Foam::name(timeIndex));
+        std::unique_ptr<bodyPicture> picture;
+        if (Pstream::master())
         {
-            vtk::surfaceWriter writer(points, allFaces, stem, false);
-            writer.setTime(instant(now, Time::timeName(now)));
-            writer.writeTimeValue();
-            writer.writeGeometry();
-            writer.beginPointData(1 + nVectors + layout.scalarNames.size());
-            writer.write("body", number);
-            forAll(layout.vectorNames, v)
-            {
-                writer.write(layout.vectorNames[v], vectors(3 * (v + 1)));
-            }
-            forAll(layout.scalarNames, s)
-            {
-                scalarField values(nAll);
-                forAll(bodies, body)
-                {
-                    SubField<scalar>(values, nPoints, body * nPoints) =
-                        bodies[body][3 * (nVectors + 1) + s];
-                }
-                writer.write(layout.scalarNames[s], values);
-            }
+            picture.reset(new bodyPicture(stem + ".vtp", now, layout));
         }
 
-        if (layout.lines) polygonsToLines(stem + ".vtp");
+        // Some 20,000 points at a time. A send ends when it is received: no rank
+        // runs ahead of the first, which writes
+        const label nTogether = max(label(1), 20000 / nPoints);
+        label next = 0;
+        for (label first = 0; first < owner.size(); first += nTogether)
+        {
+            const label end = min(first + nTogether, owner.size());
+            DynamicList<label> which;
+            DynamicList<bodyPicture::fields> some;
+            for (; next < mine.size() && mine[next] < end; ++next)
+            {
+                which.append(mine[next]);
+                some.append(bodyPicture::pack(surface(group, next)));
+            }
+            if (!Pstream::master())
+            {
+                if (which.empty()) continue;
+                OPstream os(Pstream::commsTypes::scheduled,
+                            Pstream::masterNo());
+                os << which << some;
+                continue;
+            }
+
+            // The first rank's own come first
+            List<bodyPicture::fields> bodies(end - first);
+            for (const label proci :
+                 std::set<label>(owner.begin() + first, owner.begin() + end))
+            {
+                if (proci != Pstream::masterNo())
+                {
+                    IPstream is(Pstream::commsTypes::scheduled, proci);
+                    is >> which >> some;
+                }
+                forAll(which, k)
+                {
+                    bodies[which[k] - first].transfer(some[k]);
+                }
+            }
+            picture->write(first, bodies);
+        }
+        if (!Pstream::master()) continue;
+        picture.reset();
 
         // The series goes on after a restart
         const fileName seriesName(dir / group.name() + ".vtp");

@@ -4,15 +4,23 @@
 
 #include "capsuleGroup.H"
 #include <cmath>
+#include <Eigen/Eigenvalues>
 
 // Surface integrals of the shape. Products of the series are integrated
 // exactly by the load grid up to the third degree in x
 Foam::capsuleGroup::geometry Foam::capsuleGroup::measure(const numbers& x) const
 {
+    membrane_->harmonics().gradient(x.data(), xt_.data(), xp_.data());
+    return measure(x, xt_, xp_);
+}
+
+Foam::capsuleGroup::geometry
+Foam::capsuleGroup::measure(const numbers& x, const numbers& xt,
+                            const numbers& xp) const
+{
     const sphericalHarmonics& grid = membrane_->harmonics();
     const label n = grid.nPoints();
     grid.values(x.data(), onGrid_.data());
-    grid.gradient(x.data(), xt_.data(), xp_.data());
 
     geometry m{0, 0, Zero, Zero};
     const vector origin(onGrid_[0], onGrid_[n], onGrid_[2 * n]);
@@ -21,8 +29,8 @@ Foam::capsuleGroup::geometry Foam::capsuleGroup::measure(const numbers& x) const
         // Relative to a point of the surface: no digits lost far from 0
         const vector r(vector(onGrid_[k], onGrid_[n + k], onGrid_[2 * n + k]) -
                        origin);
-        const vector t(xt_[k], xt_[n + k], xt_[2 * n + k]);
-        const vector p(xp_[k], xp_[n + k], xp_[2 * n + k]);
+        const vector t(xt[k], xt[n + k], xt[2 * n + k]);
+        const vector p(xp[k], xp[n + k], xp[2 * n + k]);
         const vector dS(grid.weight(k) * (t ^ p));
         const scalar flux = r & dS;
         m.area += mag(dS);
@@ -36,29 +44,49 @@ Foam::capsuleGroup::geometry Foam::capsuleGroup::measure(const numbers& x) const
     return m;
 }
 
-Foam::wordList Foam::capsuleGroup::columns() const
+std::vector<Foam::bodyColumn> Foam::capsuleGroup::columns() const
 {
-    return {"x",           "y",      "z",       "volume", "area",     "D",
-            "inclination", "length", "breadth", "energy", "lambdaMax"};
+    return {{"x", "m"},
+            {"y", "m"},
+            {"z", "m"},
+            {"volume", "of-the-start"},
+            {"area", "of-the-start"},
+            {"D", "(length-breadth)/(length+breadth)", true},
+            {"inclination", "degrees"},
+            {"length", "m"},
+            {"breadth", "m"},
+            {"width", "m"},
+            {"energy", "J"},
+            {"lambdaMax", "of-the-stress-free-length", true}};
 }
 
 Foam::scalarList Foam::capsuleGroup::sample(const label i) const
 {
     const numbers& x = capsules_[i].x;
-    const geometry m(measure(x));
+    scalar energy;
+    const scalar stretch = membrane_->stretches(x.data(), energy).stretch;
+    const geometry m(measure(x, membrane_->xTheta(), membrane_->xPhi()));
+    if (bending_) energy += bending_->energy(x.data());
 
-    // Equivalent ellipsoid: moments V a^2/5; its section by the shear plane
-    const scalar s = 5 / m.volume;
+    // Equivalent ellipsoid: moments V a^2/5. Iterations keep the digits that
+    // formulas lose where axes are nearly equal
+    const tensor full(5 / m.volume * m.moments);
+    const Eigen::Vector3d squares(
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
+            Eigen::Map<const Eigen::Matrix3d>(full.cdata()),
+            Eigen::EigenvaluesOnly)
+            .eigenvalues());
+    const auto axis = [&](const int k)
+    { return std::sqrt(std::max(squares[k], 0.0)); };
+    const scalar breadth = axis(0), width = axis(1), length = axis(2);
+
+    // Its direction in the shear plane; a circle has none
     const direction f = shearPlane_[0], g = shearPlane_[1];
-    const tensor full(m.moments);
-    const scalar ff = s * full(f, f), gg = s * full(g, g), fg = s * full(f, g);
-    const scalar half = 0.5 * (ff + gg);
-    const scalar root = std::hypot(0.5 * (ff - gg), fg);
-
-    // A circle has no direction
-    const bool round = root < 1e-12 * half;
-    const scalar length = std::sqrt(half + root);
-    const scalar breadth = std::sqrt(max(half - root, scalar(0)));
+    const scalar across = 0.5 * (full(f, f) - full(g, g)), fg = full(f, g);
+    const bool round =
+        std::hypot(across, fg) < 1e-12 * (full(f, f) + full(g, g)) / 2;
+    const scalar inclination =
+        round ? 0 : 90 / constant::mathematical::pi * std::atan2(fg, across);
 
     return {m.centre.x(),
             m.centre.y(),
@@ -66,14 +94,12 @@ Foam::scalarList Foam::capsuleGroup::sample(const label i) const
             m.volume / referenceVolume_,
             m.area / referenceArea_,
             (length - breadth) / (length + breadth),
-            round
-                ? 0
-                : 90 / constant::mathematical::pi * std::atan2(2 * fg, ff - gg),
+            inclination,
             length,
             breadth,
-            membrane_->energy(x.data()) +
-                (bending_ ? bending_->energy(x.data()) : 0),
-            membrane_->stretches(x.data()).stretch};
+            width,
+            energy,
+            stretch};
 }
 
 Foam::bodySurface Foam::capsuleGroup::surface(const label i) const

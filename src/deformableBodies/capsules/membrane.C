@@ -69,8 +69,13 @@ void Foam::membrane::invariants(const double* coeffs) const
 
 Foam::scalar Foam::membrane::energy(const double* coeffs) const
 {
-    const label n = harmonics_.nPoints();
     invariants(coeffs);
+    return energyOfInvariants();
+}
+
+Foam::scalar Foam::membrane::energyOfInvariants() const
+{
+    const label n = harmonics_.nPoints();
     model_->evaluate(n, I1_.data(), I2_.data(), W_.data(), W1_.data(),
                      W2_.data());
     double sum = 0;
@@ -139,6 +144,14 @@ Foam::membrane::extremes Foam::membrane::stretches(const double* coeffs) const
     }
     e.stretch = std::sqrt(largest);
     e.area = std::sqrt(smallest);
+    return e;
+}
+
+Foam::membrane::extremes Foam::membrane::stretches(const double* coeffs,
+                                                   scalar& energy) const
+{
+    const extremes e(stretches(coeffs));
+    energy = energyOfInvariants();
     return e;
 }
 

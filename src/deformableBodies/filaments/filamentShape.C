@@ -6,12 +6,16 @@
 #include "mathematicalConstants.H"
 #include <cmath>
 
-Foam::wordList Foam::filamentGroup::columns() const
+std::vector<Foam::bodyColumn> Foam::filamentGroup::columns() const
 {
-    return {"x",      "y",          "z",        "tipX",
-            "tipY",   "tipZ",       "endToEnd", "lengthError",
-            "energy", "maxTension", "angle",    "iterations",
-            "forceX", "forceY",     "forceZ",   "slip"};
+    return {{"x", "m"},           {"y", "m"},
+            {"z", "m"},           {"tipX", "m"},
+            {"tipY", "m"},        {"tipZ", "m"},
+            {"endToEnd", "m"},    {"lengthError", "of-a-segment"},
+            {"energy", "J"},      {"maxTension", "N"},
+            {"angle", "degrees"}, {"iterations", "Newton-per-step", true},
+            {"forceX", "N"},      {"forceY", "N"},
+            {"forceZ", "N"},      {"slip", "m/s", true}};
 }
 
 Foam::scalarList Foam::filamentGroup::sample(const label i) const

@@ -3,6 +3,7 @@
 #include "flowSources.H"
 #include "fvMatrices.H"
 #include "lowModeForcing.H"
+#include "resultFile.H"
 
 namespace
 {
@@ -120,11 +121,8 @@ Foam::flowSources::flowSources(fv::optionList& options, volVectorField& U,
             Ubar_ = o.coeffs().get<vector>("Ubar");
             if (Pstream::master())
             {
-                const Time& time = U.time();
-                const fileName dir(time.globalPath() / "postProcessing" /
-                                   o.name() / time.timeName());
-                mkDir(dir);
-                file_.reset(new OFstream(dir / "pressureGradient.dat"));
+                file_ =
+                    newResultFile(U.time(), o.name(), "pressureGradient.dat");
                 *file_ << "# time gradient uncorrectedUbar" << endl;
                 file_->precision(12);
             }
