@@ -19,8 +19,8 @@ Foam::newResultFile(const Time& time, const fileName& folder, const word& name)
         }
         const fileName kept(file + "." + Foam::name(n));
         mv(file, kept);
-        Info << time.relativePath(file) << " of an earlier run is kept as "
-             << kept.name() << endl;
+        Info << time.relativePath(file).c_str()
+             << " of an earlier run is kept as " << kept.name() << endl;
     }
     return autoPtr<OFstream>(new OFstream(file));
 }

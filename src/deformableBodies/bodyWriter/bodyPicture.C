@@ -24,7 +24,7 @@ Foam::bodyPicture::fields Foam::bodyPicture::pack(const bodySurface& s)
 
 Foam::bodyPicture::bodyPicture(const fileName& file, const scalar time,
                                const bodySurface& layout)
-    : vtk::fileWriter(vtk::fileTag::POLY_DATA, vtk::outputOptions()),
+    : vtk::fileWriter(vtk::fileTag::POLY_DATA, vtk::formatType::INLINE_BASE64),
       layout_(layout)
 {
     open(file, false);
