@@ -34,9 +34,11 @@ Usage
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "bodyCollection.H"
+#include "caseFiles.H"
 #include "dictionaryChecks.H"
 #include "flowAlgorithm.H"
 #include "flowSources.H"
+#include "lastStep.H"
 #include "fieldsWanted.H"
 #include "runProgress.H"
 #include "stepGuard.H"
@@ -64,6 +66,10 @@ int main(int argc, char* argv[])
     #include "createFlow.H"
     #include "createGuard.H"
     scalar CoNum = 0;
+    if (adjustTimeStep && lastStep::read(runTime) > 0)
+    {
+        runTime.setDeltaT(lastStep::read(runTime), false);
+    }
     #include "flowCourantNo.H"
     #include "printLimits.H"
     if (adjustTimeStep)

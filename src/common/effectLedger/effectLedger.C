@@ -15,8 +15,9 @@ std::string column(const std::string& s, const int width)
 }
 } // namespace
 
-Foam::effectLedger::effectLedger(const Time& time)
+Foam::effectLedger::effectLedger(const Time& time, const word& region)
     : time_(time),
+      region_(region),
       since_(std::chrono::steady_clock::now()),
       startUp_(time.elapsedCpuTime())
 {
@@ -149,7 +150,7 @@ void Foam::effectLedger::write()
 {
     if (Pstream::master() && !file_.valid())
     {
-        file_ = newResultFile(time_, "effectCost", "effectCost.dat");
+        file_ = newResultFile(time_, region_ / "effectCost", "effectCost.dat");
         file_() << "# time effect seconds calls" << nl;
     }
     rows(

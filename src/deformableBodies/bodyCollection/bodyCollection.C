@@ -2,9 +2,9 @@
 
 #include "bodyCollection.H"
 #include "bodyForceField.H"
+#include "caseFiles.H"
 #include "dictionaryChecks.H"
 #include "fvc.H"
-#include "OSspecific.H"
 #include "uniformDimensionedFields.H"
 
 namespace Foam
@@ -12,35 +12,34 @@ namespace Foam
 defineTypeNameAndDebug(bodyCollection, 0);
 }
 
-Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
+const Foam::word Foam::bodyCollection::stateEntry("deformableBodies");
+
+Foam::bodyCollection::bodyCollection(const fvMesh\& mesh,
                                      const bool solverBalances)
     : regIOobject(IOobject("deformableBodies", mesh.time().timeName(),
                            "uniform", mesh, IOobject::NO_READ,
                            IOobject::AUTO_WRITE)),
       mesh_(mesh),
       grid_(uniformGrid::New(mesh)),
-      effects_(mesh.time()),
+      effects_(mesh.time(), mesh.dbDir()),
       solverBalances_(solverBalances)
 {
-    IOobject io("deformableBodies", mesh.time().constant(), mesh,
-                IOobject::MUST_READ, IOobject::NO_WRITE, false);
-    if (!io.typeHeaderOk<IOdictionary>(true))
+    const IOobject io("deformableBodies", mesh.time().constant(), mesh,
+                      IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    if (!isThere<IOdictionary>(io))
     {
-        const fileName file(io.objectPath());
-        for (const fileName& name :
-             {file,
-              mesh.time().globalPath() / mesh.time().constant() / io.name()})
+        const fileName other(misplacedFile(io));
+        if (!other.empty())
         {
-            if (returnReduce(isFile(name, false), orOp<bool>()))
-            {
-                FatalErrorInFunction
-                    << "file " << name.c_str()
-                    << " cannot be read: it must begin with" << nl
-                    << "    FoamFile { version 2.0; format ascii; class "
-                    << "dictionary; object deformableBodies; }"
-                    << exit(FatalError);
-            }
+            FatalErrorInFunction
+                << "there is no file "
+                << (io.instance() / io.db().dbDir() / io.name()).c_str()
+                << ", but a file " << other.c_str() << nl
+                << "    Bodies are read from the first only: move the file, or "
+                << "take it away for a run without bodies" << exit(FatalError);
         }
+        Info << "No bodies: there is no file constant/deformableBodies" << nl
+             << endl;
         effects_.declare("bodies", false, "no constant/deformableBodies");
         writeOpt() = IOobject::NO_WRITE;
         return;
@@ -53,17 +52,36 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
             << "deformableBodies needs a mesh that does not move or change"
             << exit(FatalIOError);
     }
+    requireTimeSteps();
     read(dict);
     readState(dict);
     forceField_.reset(new bodyForceField(mesh, *this));
     const bool wrap = dict.getOrDefault<bool>("wrap", false);
     writer_.reset(
-        new bodyWriter(mesh.time(), groups_, effects_,
+        new bodyWriter(mesh, groups_, effects_,
                        "postProcessing/bodies, " +
                            (sampleInterval_ == 1
                                 ? string("each step")
                                 : "one step in " + Foam::name(sampleInterval_)),
                        wrap ? &grid_ : nullptr));
+}
+
+void Foam::bodyCollection::requireTimeSteps() const
+{
+    const dictionary schemes(mesh_.schemesDict().subOrEmptyDict("ddtSchemes"));
+    for (const entry& e : schemes)
+    {
+        if (!e.isStream()) continue;
+        const string scheme(e.stream().toString());
+        for (const word notInTime :
+             {"steadyState", "localEuler", "CoEuler", "SLTS"})
+        {
+            if (scheme.find(notInTime) == string::npos) continue;
+            refuse(schemes, e.keyword(), scheme,
+                   "Euler, backward or CrankNicolson: bodies move in time, so "
+                   "that solvers of steady flow cannot carry them");
+        }
+    }
 }
 
 Foam::bodyCollection& Foam::bodyCollection::New(const fvMesh& mesh,
@@ -95,7 +113,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
 {
     checkEntries(dict, {"FoamFile", "variables", "bodies", "sampleInterval",
                         "accuracy", "kernel", "coupling", "interactions",
-                        "loads", "wrap"});
+                        "loads", "wrap", "restart", "removed"});
 
     if (!dict.subOrEmptyDict("interactions").empty())
     {
@@ -129,6 +147,11 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     if (bodies.empty()) refuse(dict, "bodies", "{}", "one group and more");
     for (const word& name : bodies.toc())
     {
+        if (name == stateEntry || name == "diverged")
+        {
+            refuse(dict, "bodies", "a group " + name,
+                   "other names, as the state has an entry of this name");
+        }
         groups_.append(bodyGroup::New(name, bodies.subDict(name), scene).ptr());
         feedback = feedback || groups_.last().twoWay();
         inFluid = inFluid || !groups_.last().alone();
@@ -225,10 +248,10 @@ void Foam::bodyCollection::readLoads(const dictionary& loads)
 
 Foam::vector Foam::bodyCollection::readGravity() const
 {
-    const uniformDimensionedVectorField g(
-        IOobject("g", mesh_.time().constant(), mesh_, IOobject::READ_IF_PRESENT,
-                 IOobject::NO_WRITE, false),
-        dimensionedVector(dimAcceleration, Zero));
+    const IOobject io("g", mesh_.time().constant(), mesh_, IOobject::MUST_READ,
+                      IOobject::NO_WRITE, false);
+    if (!isThere<uniformDimensionedVectorField>(io)) return Zero;
+    const uniformDimensionedVectorField g(io);
     checkDimensions(g, dimAcceleration);
     return g.value();
 }

@@ -2,22 +2,28 @@
 
 #include "bodyWriter.H"
 #include "bodyPicture.H"
+#include "caseFiles.H"
 #include "foamVtkSeriesWriter.H"
+#include "fvMesh.H"
 #include "IPstream.H"
 #include "OPstream.H"
 #include "resultFile.H"
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <set>
 
-Foam::bodyWriter::bodyWriter(const Time& time, const PtrList<bodyGroup>& groups,
+Foam::bodyWriter::bodyWriter(const fvMesh& mesh,
+                             const PtrList<bodyGroup>& groups,
                              effectLedger& effects, const string& note,
                              const uniformGrid* wrapInto)
-    : time_(time),
+    : time_(mesh.time()),
+      region_(mesh.dbDir()),
+      pictures_(outputFolder(mesh, "VTK") / "bodies"),
       groups_(groups),
       effects_(effects),
-      startTime_(time.value()),
-      startIndex_(time.timeIndex()),
+      startTime_(time_.value()),
+      startIndex_(time_.timeIndex()),
       wrapInto_(wrapInto)
 {
     effects_.declare("samples", true, note);
@@ -38,8 +44,8 @@ void Foam::bodyWriter::sample(const scalar now)
         files_.setSize(groups_.size());
         forAll(groups_, g)
         {
-            files_.set(
-                g, newResultFile(time_, "bodies", groups_[g].name() + ".dat"));
+            files_.set(g, newResultFile(time_, region_ / "bodies",
+                                        groups_[g].name() + ".dat"));
             std::string names("# time body"), units("# [s] [number]");
             for (const bodyColumn& c : groups_[g].columns())
             {
@@ -143,10 +149,42 @@ Foam::bodySurface Foam::bodyWriter::surface(const bodyGroup& group,
     return s;
 }
 
+// The pictures up to now that a series names and that are there. seriesWriter
+// ends the run where it cannot read the file
+static Foam::vtk::seriesWriter seriesBefore(const Foam::fileName& file,
+                                            const Foam::scalar now)
+{
+    using namespace Foam;
+    vtk::seriesWriter series;
+    std::ifstream is(file);
+    bool complete = !is;
+    for (std::string line; std::getline(is, line);)
+    {
+        char name[256];
+        double time;
+        int end = 0;
+        complete = line == "}";
+        if (std::sscanf(line.c_str(),
+                        " { \"name\" : \"%255[^\"/]\", \"time\" : %lf }%n",
+                        name, &time, &end) == 2 &&
+            end > 0 && time < now - ROOTVSMALL && isFile(file.path() / name))
+        {
+            series.append(time, fileName(name));
+        }
+    }
+    if (!complete)
+    {
+        WarningInFunction << "file " << file.c_str()
+                          << " is damaged: the series starts again with what "
+                          << "can be read of it" << endl;
+    }
+    return series;
+}
+
 void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
 {
     const auto timing(effects_.time("pictures"));
-    const fileName dir(time_.globalPath() / "VTK" / "bodies");
+    const fileName& dir = pictures_;
 
     forAll(groups_, g)
     {
@@ -218,8 +256,7 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
 
         // The series goes on after a restart
         const fileName seriesName(dir / group.name() + ".vtp");
-        vtk::seriesWriter series;
-        series.load(seriesName, true, now);
+        vtk::seriesWriter series(seriesBefore(seriesName + ".series", now));
         series.append(now, stem + ".vtp");
         series.write(seriesName);
     }

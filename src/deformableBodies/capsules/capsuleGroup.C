@@ -21,7 +21,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                         "dealiasing", "markerSpacing", "shearPlane", "coupling",
                         "bending", "viscosityRatio", "prestress", "gravity",
                         "densityRatio", "stressFree", "motion", "thickness",
-                        "filter", "nearField"});
+                        "filter", "nearField", "restart"});
     if (dict.found("viscosityRatio"))
     {
         viscosityRatio_ = readPositive(dict, "viscosityRatio", dimless);

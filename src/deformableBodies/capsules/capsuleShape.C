@@ -175,6 +175,13 @@ Foam::bodySurface Foam::capsuleGroup::surface(const label i) const
     return s;
 }
 
+Foam::bodyGroup::identity Foam::capsuleGroup::identify() const
+{
+    return {{"harmonics", scalar(markerGrid_->degree())},
+            {"radius", radius_},
+            {"area", referenceArea_}};
+}
+
 Foam::scalarList Foam::capsuleGroup::state(const label i) const
 {
     const capsule& c = capsules_[i];

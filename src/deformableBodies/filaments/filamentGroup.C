@@ -30,10 +30,11 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
                                    const bodyScene& scene)
     : bodyGroup(name, dict, scene)
 {
-    checkEntries(dict, {"type", "length", "diameter", "segments",
-                        "bendingRigidity", "densityRatio", "ends", "positions",
-                        "directions", "gravity", "coupling", "shearPlane",
-                        "scheme", "thicknessCouple", "baseMotion", "bow"});
+    checkEntries(dict,
+                 {"type", "length", "diameter", "segments", "bendingRigidity",
+                  "densityRatio", "ends", "positions", "directions", "gravity",
+                  "coupling", "shearPlane", "scheme", "thicknessCouple",
+                  "baseMotion", "bow", "restart"});
 
     properties_.length = readPositive(dict, "length", dimLength);
     const scalar diameter = readPositive(dict, "diameter", dimLength);

@@ -247,6 +247,12 @@ Foam::string Foam::filamentGroup::move(const vector* U,
     return trouble;
 }
 
+Foam::bodyGroup::identity Foam::filamentGroup::identify() const
+{
+    return {{"length", properties_.length},
+            {"segments", scalar(properties_.segments)}};
+}
+
 Foam::scalarList Foam::filamentGroup::state(const label i) const
 {
     const body& x = bodies_[i];

@@ -59,7 +59,7 @@ Foam::bodySurface Foam::filamentGroup::surface(const label i) const
     bodySurface s;
     s.lines = true;
     s.points = X;
-    s.faces.setSize(1, face(identity(N + 1)));
+    s.faces.setSize(1, face(Foam::identity(N + 1)));
     s.vectorNames = {"velocity"};
     s.vectors.append(x.velocities());
     s.scalarNames = {"tension", "curvature"};

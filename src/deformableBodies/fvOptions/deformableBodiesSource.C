@@ -3,6 +3,7 @@
 #include "deformableBodiesSource.H"
 #include "addToRunTimeSelectionTable.H"
 #include "bodyCollection.H"
+#include "dictionaryChecks.H"
 #include "fvMatrices.H"
 
 namespace Foam
@@ -24,6 +25,11 @@ Foam::fv::deformableBodiesSource::deformableBodiesSource(const word& name,
 {
     fieldNames_.setSize(1, coeffs_.getOrDefault<word>("U", "U"));
     applied_.setSize(1, false);
+    if (!active_)
+    {
+        refuse(dict, "active", "false",
+               "true; a run without bodies has no such option");
+    }
     if (bodies_.empty())
     {
         FatalIOErrorInFunction(dict)
@@ -42,6 +48,17 @@ void Foam::fv::deformableBodiesSource::addSup(fvMatrix<vector>& eqn,
     if (phi.dimensions() != dimVolume / dimTime) refuseDensity();
     bodies_.advance(phi);
     eqn += bodies_.cellForce();
+}
+
+void Foam::fv::deformableBodiesSource::checkApplied() const
+{
+    if (applied_[0] || bodies_.isBalancedBySolver()) return;
+    FatalIOErrorInFunction(dict_)
+        << "option " << name_ << ": this solver does not ask for a source of "
+        << fieldNames_[0] << ", so that the bodies would not move" << nl
+        << "    allowed: solvers of incompressible flow that apply fvOptions, "
+        << "as pimpleFoam and pisoFoam do, or deformableBodyFoam"
+        << exit(FatalIOError);
 }
 
 void Foam::fv::deformableBodiesSource::refuseDensity() const

@@ -2,6 +2,7 @@
 
 #include "EswaranPopeForcing.H"
 #include "addToRunTimeSelectionTable.H"
+#include "caseFiles.H"
 #include "dictionaryChecks.H"
 #include "IOdictionary.H"
 
@@ -26,6 +27,9 @@ struct Foam::fv::EswaranPopeForcing::state : public regIOobject
     }
 
     virtual const word& type() const { return IOdictionary::typeName; }
+
+    //- The same on all ranks
+    virtual bool global() const { return true; }
 
     virtual bool writeData(Ostream& os) const
     {
@@ -90,7 +94,7 @@ Foam::fv::EswaranPopeForcing::EswaranPopeForcing(const word& name,
     b_.resize(modes.size());
     IOobject io(name, mesh.time().timeName(), "uniform", mesh,
                 IOobject::MUST_READ, IOobject::NO_WRITE, false);
-    if (io.typeHeaderOk<IOdictionary>(true))
+    if (isThere<IOdictionary>(io))
     {
         const IOdictionary old(io);
         const scalarField values("values", old,

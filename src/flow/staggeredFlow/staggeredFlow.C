@@ -3,6 +3,7 @@
 #include "staggeredFlow.H"
 #include "dictionaryChecks.H"
 #include "fixedValueFvPatchFields.H"
+#include "lastStep.H"
 
 // last_ as an OpenFOAM field, made only when it is written
 struct Foam::staggeredFlow::history : public regIOobject
@@ -140,10 +141,8 @@ void Foam::staggeredFlow::readState()
 
     // The step that the last terms belong to: Time forgets it where deltaT is
     // fixed
-    const IOdictionary time(IOobject("time", mesh_.time().timeName(), "uniform",
-                                     mesh_.time(), IOobject::READ_IF_PRESENT,
-                                     IOobject::NO_WRITE, false));
-    lastDt_ = time.getOrDefault<scalar>("deltaT", mesh_.time().deltaTValue());
+    lastDt_ = lastStep::read(mesh_.time());
+    if (!(lastDt_ > 0)) lastDt_ = mesh_.time().deltaTValue();
 
     staggeredField& u = force_;
     grid_.toStaggered(phi_, u);

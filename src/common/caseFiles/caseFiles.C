@@ -1,0 +1,250 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "caseFiles.H"
+#include "fileOperation.H"
+#include "IFstream.H"
+#include "OSspecific.H"
+#include "polyMesh.H"
+#include "Time.H"
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+#include <vector>
+
+namespace
+{
+using namespace Foam;
+
+//- Empty if it cannot be opened
+std::string textOf(const fileName& file)
+{
+    IFstream is(file);
+    if (!is.good()) return std::string();
+    return std::string(std::istreambuf_iterator<char>(is.stdStream()), {});
+}
+
+//- What is wrong with a file that cannot be read; empty if nothing is there
+string whatIsWrong(const fileName& file, const word& className)
+{
+    switch (Foam::type(file, false))
+    {
+    case fileName::DIRECTORY:
+        return "it is a directory";
+    case fileName::LINK:
+        if (Foam::type(file) == fileName::UNDEFINED)
+        {
+            return "it is a link to nothing";
+        }
+        if (Foam::type(file) == fileName::DIRECTORY)
+        {
+            return "it is a link to a directory";
+        }
+        break;
+    case fileName::UNDEFINED:
+        if (!isFile(file)) return ""; // neither compressed
+        break;
+    default:
+        break;
+    }
+
+    if (!IFstream(file).good()) return "it cannot be opened";
+    const std::string text(textOf(file));
+    if (std::all_of(text.begin(), text.end(),
+                    [](const unsigned char c) { return std::isspace(c); }))
+    {
+        return "it is empty";
+    }
+    if (text.compare(0, 3, "\xEF\xBB\xBF") == 0)
+    {
+        return "it begins with a byte-order mark (save it as UTF-8 without)";
+    }
+    if (text.compare(0, 2, "\xFF\xFE") == 0 ||
+        text.compare(0, 2, "\xFE\xFF") == 0)
+    {
+        return "it is UTF-16 (save it as UTF-8)";
+    }
+    if (text.find("FoamFile") == std::string::npos)
+    {
+        return "it has no header";
+    }
+    return "its header is damaged or names another class than " + className;
+}
+
+//- How many letters differ, are missing or are too many
+size_t distance(const std::string& a, const std::string& b)
+{
+    std::vector<size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), size_t(0));
+    for (size_t i = 0; i < a.size(); ++i)
+    {
+        size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (size_t j = 0; j < b.size(); ++j)
+        {
+            const size_t exchanged = diagonal + (a[i] != b[j]);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({exchanged, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+//- Letters of a name in lower case. A file with an ending other than .txt and
+//  .dict, such as .orig, has been put aside
+std::string plain(const fileName& name)
+{
+    const word ending(name.ext());
+    std::string letters;
+    if (!ending.empty() && ending != "txt" && ending != "dict") return letters;
+    for (const unsigned char c : fileName(name.lessExt()))
+    {
+        if (std::isalnum(c)) letters += char(std::tolower(c));
+    }
+    return letters;
+}
+} // namespace
+
+void Foam::requireNothingThere(const IOobject& io, const word& className)
+{
+    const Time& time = io.time();
+    const fileName found(fileHandler().filePath(true, io, className));
+    fileName file;
+    string wrong;
+    if (Pstream::master())
+    {
+        fileNameList paths({found, io.objectPath()});
+        if (io.instance() == time.constant() || io.instance() == time.system())
+        {
+            paths.append(time.globalPath() / io.instance() / io.db().dbDir() /
+                         io.local() / io.name());
+        }
+        for (const fileName& path : paths)
+        {
+            if (!wrong.empty() || path.empty()) continue;
+            file = path;
+            wrong = whatIsWrong(file, className);
+        }
+    }
+    Pstream::scatter(file);
+    Pstream::scatter(wrong);
+    if (wrong.empty()) return;
+
+    FatalErrorInFunction << "file " << file.c_str()
+                         << " cannot be read: " << wrong.c_str() << nl
+                         << "    It must begin with" << nl
+                         << "    FoamFile { version 2.0; format ascii; class "
+                         << className << "; object " << io.name() << "; }"
+                         << exit(FatalError);
+}
+
+Foam::string Foam::wrongBrackets(const std::string& text)
+{
+    std::string open; // what is still to be closed
+    label line = 1;
+    const size_t end = text.size();
+    for (size_t i = 0; i < end; ++i)
+    {
+        // Comments, strings and verbatim code have brackets of their own
+        const auto skipTo = [&](const char* mark)
+        {
+            const size_t to = min(end, text.find(mark, i + 1));
+            line +=
+                label(std::count(text.begin() + i, text.begin() + to, '\n'));
+            i = to;
+        };
+        const char c = text[i], next = i + 1 < end ? text[i + 1] : ' ';
+        if (c == '\n')
+            ++line;
+        else if (c == '\\')
+            ++i;
+        else if (c == '/' && next == '/')
+        {
+            skipTo("\n");
+            ++line;
+        }
+        else if (c == '/' && next == '*')
+            skipTo("*/");
+        else if (c == '#' && next == '{')
+        {
+            skipTo("#}");
+            ++i;
+        }
+        else if (c == '"')
+        {
+            for (++i; i < end && text[i] != '"'; ++i)
+            {
+                if (text[i] == '\n') ++line;
+                if (text[i] == '\\') ++i;
+            }
+        }
+        else if (c == '{')
+            open += '}';
+        else if (c == '(')
+            open += ')';
+        else if (c == '}' || c == ')')
+        {
+            if (open.empty() || open.back() != c)
+            {
+                return "line " + Foam::name(line) + " closes with " +
+                       string(1, c) + " what is not open";
+            }
+            open.pop_back();
+        }
+    }
+    if (open.empty()) return "";
+    return "it ends where " + string(1, open.back()) + " is still to come";
+}
+
+void Foam::requireBrackets(const IOobject& io, const word& className)
+{
+    const fileName file(fileHandler().filePath(true, io, className));
+    string wrong;
+    if (Pstream::master()) wrong = wrongBrackets(textOf(file));
+    Pstream::scatter(wrong);
+    if (wrong.empty()) return;
+
+    FatalErrorInFunction << "file " << file.c_str()
+                         << " cannot be read: " << wrong.c_str() << nl
+                         << "    allowed: brackets that match"
+                         << exit(FatalError);
+}
+
+Foam::fileName Foam::misplacedFile(const IOobject& io)
+{
+    fileName found;
+    if (Pstream::master())
+    {
+        const fileName root(io.time().globalPath());
+        const fileName right(root / io.instance() / io.db().dbDir() /
+                             io.name());
+        fileNameList folders({root, root / io.instance(),
+                              root / io.time().system(), root / "0",
+                              root / "0.orig", right.path()});
+        for (const fileName& name : readDir(root, fileName::DIRECTORY))
+        {
+            if (name.compare(0, 9, "processor") == 0)
+            {
+                folders.append(root / name / io.instance());
+            }
+        }
+        const std::string wanted(plain(io.name()));
+        for (const fileName& folder : folders)
+        {
+            for (const fileName& name : readDir(folder, fileName::FILE))
+            {
+                if (found.empty() && folder / name != right &&
+                    distance(plain(name), wanted) <= 3)
+                {
+                    found = folder / name;
+                }
+            }
+        }
+    }
+    Pstream::scatter(found);
+    return found;
+}
+
+Foam::fileName Foam::outputFolder(const polyMesh& mesh, const word& folder)
+{
+    return mesh.time().globalPath() / folder / mesh.dbDir();
+}
