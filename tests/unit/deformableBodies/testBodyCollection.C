@@ -3,17 +3,18 @@
 #include "bodyCollection.H"
 #include "OFstream.H"
 #include "OSspecific.H"
+#include "testBox.H"
 #include "unitTest.H"
 
 using namespace Foam;
 
 namespace
 {
-//- A file in constant of the case
-void write(const char* name, const char* text)
+//- A file in constant of the case, or of a region
+void write(const char* name, const char* text, const word& region = "")
 {
     if (!Pstream::master()) return;
-    const fileName dir(test::mesh().time().globalPath() / "constant");
+    const fileName dir(test::mesh().time().globalPath() / "constant" / region);
     mkDir(dir);
     OFstream(dir / name)()
         << "FoamFile { version 2.0; format ascii; class dictionary; object "
@@ -86,5 +87,51 @@ TEST(BodyCollection, aStepCanBeTakenBack)
     if (Pstream::master())
     {
         rm(time.globalPath() / "constant" / "deformableBodies");
+    }
+}
+
+// What is read and written of a mesh region has its own place, as that of another
+// mesh of the same case must not be overwritten
+TEST(BodyCollection, aRegionHasItsOwnPlace)
+{
+    if (Pstream::parRun()) return;
+    const test::box box(labelVector(8, 8, 8), vector(2, 2, 2), {}, 1);
+    const word region(box.mesh().name());
+    const Time& time = test::mesh().time();
+    const fileName root(time.globalPath());
+    write("transportProperties", "transportModel Newtonian; rho 1; nu 1;",
+          region);
+    write("deformableBodies",
+          "bodies { cells { type capsule; shape { type sphere; radius 0.5; } "
+          "harmonics 4; membrane { law neoHookean; Gs 1; } "
+          "positions ((1 1 1)); } }",
+          region);
+    {
+        bodyCollection bodies(box.mesh());
+        staggeredField u(uniformGrid::New(box.mesh()).box());
+        u.clear();
+        bodies.moveWithVelocity(u, u);
+        EXPECT_TRUE(bodies.write());
+    }
+    const fileName state(root / time.timeName() / region / "uniform");
+    const fileNameList written(
+        {state / "deformableBodies",
+         root / "postProcessing" / region / "bodies" / "0" / "cells.dat",
+         root / "postProcessing" / region / "effectCost" / "0" /
+             "effectCost.dat",
+         root / "VTK" / region / "bodies" / "cells.vtp.series"});
+    for (const fileName& file : written)
+    {
+        EXPECT_TRUE(isFile(file)) << file;
+    }
+
+    // The state of the region is read again
+    const bodyCollection again(box.mesh());
+    EXPECT_EQ(again.save().states[0].size(), 1);
+    for (const fileName& dir :
+         {state.path(), root / "constant" / region,
+          root / "postProcessing" / region, root / "VTK" / region})
+    {
+        rmDir(dir);
     }
 }
