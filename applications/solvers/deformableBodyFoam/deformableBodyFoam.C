@@ -52,10 +52,12 @@ int main(int argc, char* argv[])
 
     #include "postProcess.H"
 
-    #include "addCheckCaseOptions.H"
+    argList::addBoolOption("dry-run", "Read and judge the case, on its own mesh,"
+                                      " and take no step");
     #include "setRootCaseLists.H"
     #include "createTime.H"
-    #include "createMesh.H"
+    #include "createNamedMesh.H"
+    #include "refuseDynamicMesh.H"
     #include "createControl.H"
     #include "createTimeControls.H"
     #include "initContinuityErrs.H"
@@ -83,6 +85,12 @@ int main(int argc, char* argv[])
     }
 
     turbulence->validate();
+
+    if (args.found("dry-run"))
+    {
+        #include "endDryRun.H"
+        return 0;
+    }
 
     Info<< "\nStarting time loop\n" << endl;
 

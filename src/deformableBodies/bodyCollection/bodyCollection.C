@@ -5,6 +5,8 @@
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
 #include "fvc.H"
+#include "repeatedDictionary.H"
+#include "sceneNumbers.H"
 #include "uniformDimensionedFields.H"
 
 namespace Foam
@@ -45,7 +47,19 @@ Foam::bodyCollection::bodyCollection(const fvMesh\& mesh,
         return;
     }
     const IOdictionary dict(io);
+    refuseRepeated(dict, dict.filePath());
     grid_.require(dict, "deformableBodies");
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (mesh.geometricD()[d] < 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "deformableBodies needs three dimensions, but direction "
+                << vector::componentNames[d] << " has patches of type empty"
+                << nl << "    allowed: cyclic patches in place of them, and "
+                << "several cells" << exit(FatalIOError);
+        }
+    }
     if (mesh.dynamic())
     {
         FatalIOErrorInFunction(dict)
@@ -55,6 +69,8 @@ Foam::bodyCollection::bodyCollection(const fvMesh\& mesh,
     requireTimeSteps();
     read(dict);
     readState(dict);
+    places_.reset(new bodyPlaces(mesh, groups_, *markers_));
+    places_->checkStart(dict);
     forceField_.reset(new bodyForceField(mesh, *this));
     const bool wrap = dict.getOrDefault<bool>("wrap", false);
     writer_.reset(
@@ -113,7 +129,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
 {
     checkEntries(dict, {"FoamFile", "variables", "bodies", "sampleInterval",
                         "accuracy", "kernel", "coupling", "interactions",
-                        "loads", "wrap", "restart", "removed"});
+                        "loads", "wrap", "restart", "removed", "outside"});
 
     if (!dict.subOrEmptyDict("interactions").empty())
     {
@@ -140,6 +156,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                           expectedDeltaT(),
                           readAccuracy(dict),
                           readCoupling(dict, bodyCoupling::twoWay),
+                          removesOutside(dict, false),
                           forces_,
                           effects_};
     bool feedback = false, inFluid = false;
@@ -151,6 +168,14 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
         {
             refuse(dict, "bodies", "a group " + name,
                    "other names, as the state has an entry of this name");
+        }
+        // It becomes a file name
+        if (name.find_first_not_of(
+                "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQR"
+                "STUVWXYZ0123456789_-+.") != string::npos)
+        {
+            refuse(dict, "bodies", "a group with the name \"" + name + "\"",
+                   "names of letters, digits and _ - + .");
         }
         groups_.append(bodyGroup::New(name, bodies.subDict(name), scene).ptr());
         feedback = feedback || groups_.last().twoWay();
@@ -184,6 +209,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                          : "loads act on the fluid");
     readViscosityRatios(transport);
     effects_.declare("interactions", false, "none given");
+    effects_.declare("places", true, "bodies that leave the box or come close");
     readLoads(dict.subOrEmptyDict("loads"));
 }
 
@@ -297,9 +323,15 @@ Foam::scalar Foam::bodyCollection::maxDeltaT(string* reason) const
     return limit;
 }
 
-void Foam::bodyCollection::start()
+void Foam::bodyCollection::describe() const
 {
     effects_.printEffects();
+    if (!empty()) printSceneNumbers(mesh_, rho_, nu_, groups_);
+}
+
+void Foam::bodyCollection::start()
+{
+    describe();
     if (empty()) return;
     writer_->start();
 }

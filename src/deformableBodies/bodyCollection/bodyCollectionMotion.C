@@ -59,6 +59,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
     }
     if (!empty()) grid_.toFlux(faces, *forceFlux_);
     sample();
+    if (diverged_) stop();
 }
 
 void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,

@@ -35,12 +35,22 @@ void Foam::bodyCollection::restore(const snapshot& s)
         }
     }
     trouble_.clear();
-    diverged_ = false;
+    diverged_ = outside_ = false;
+}
+
+void Foam::bodyCollection::lookAtPlaces()
+{
+    if (empty() || diverged_ || lastLooked_ == mesh_.time().timeIndex()) return;
+    lastLooked_ = mesh_.time().timeIndex();
+    const auto timing(effects_.time("places"));
+    trouble_ = places_->look();
+    outside_ = diverged_ = returnReduce(!trouble_.empty(), orOp<bool>());
 }
 
 void Foam::bodyCollection::sample()
 {
     const Time& time = mesh_.time();
+    lookAtPlaces();
     if (empty() || diverged_ || !sampleDue() ||
         lastSampled_ == time.timeIndex())
     {
@@ -62,6 +72,15 @@ void Foam::bodyCollection::stop()
     time.writeNow();
     for (const string& trouble : all)
     {
+        if (!trouble.empty() && outside_)
+        {
+            FatalErrorInFunction
+                << "a body left the box at time " << time.timeName() << ": "
+                << trouble.c_str() << nl
+                << "    What it looked like has been written to time "
+                << time.timeName() << "; with outside remove; in its group the "
+                << "run goes on from there without it" << exit(FatalError);
+        }
         if (!trouble.empty())
         {
             FatalErrorInFunction
@@ -79,7 +98,7 @@ bool Foam::bodyCollection::writeData(Ostream& os) const
     // 17 digits carry a double exactly; the file is text whatever writeFormat
     std::ostringstream text;
     text << std::setprecision(17);
-    if (diverged_) text << "diverged true;\n";
+    if (diverged_ && !outside_) text << "diverged true;\n";
     text << stateEntry << "\n{\n";
     for (const bodyGroup& group : groups_)
     {

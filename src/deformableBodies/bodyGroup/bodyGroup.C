@@ -28,12 +28,29 @@ Foam::bodyAccuracy Foam::readAccuracy(const dictionary& dict)
         dict, "accuracy", bodyAccuracy::standard);
 }
 
+bool Foam::removesOutside(const dictionary& dict, const bool otherwise)
+{
+    return readEnum(Enum<int>({{0, "stop"}, {1, "remove"}}), dict, "outside",
+                    int(otherwise));
+}
+
 Foam::bodyGroup::bodyGroup(const word& name, const dictionary& dict,
                            const bodyScene& scene)
     : name_(name),
       coupling_(readCoupling(dict, scene.coupling)),
+      removesOutside_(Foam::removesOutside(dict, scene.removesOutside)),
       scene_(scene)
 {
+    // Kernels do not wrap around a box of their own width
+    const label least = scene.kernel.nPoints();
+    const label n = cmptMin(scene.grid.n());
+    if (!alone() && n < least)
+    {
+        refuse(dict, "type", dict.get<word>("type") + " on a mesh of " +
+                                 Foam::name(n) + " cells in one direction",
+               "meshes of " + Foam::name(least) +
+                   " cells and more in each direction, the width of the kernel");
+    }
 }
 
 Foam::autoPtr<Foam::bodyGroup> Foam::bodyGroup::New(const word& name,
@@ -103,9 +120,9 @@ void Foam::bodyGroup::checkWalls(const dictionary& dict, const label body,
     }
 }
 
-Foam::string Foam::bodyGroup::nameOf(const label i) const
+Foam::string Foam::bodyGroup::nameOfBody(const label body) const
 {
-    return "body " + Foam::name(mine_[i]) + " of group " + name_;
+    return "body " + Foam::name(body) + " of group " + name_;
 }
 
 void Foam::bodyGroup::insert(const label body, const scalarList& state,
@@ -121,9 +138,12 @@ void Foam::bodyGroup::insert(const label body, const scalarList& state,
     mine_[i] = body;
     insertBody(i, body);
     if (state.size())
+    {
         setState(i, state, source);
-    else
-        checkStart(i, source);
+        return;
+    }
+    startsAfresh_ = true;
+    checkStart(i, source);
 }
 
 Foam::scalarList Foam::bodyGroup::release(const label i)

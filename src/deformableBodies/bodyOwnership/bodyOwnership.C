@@ -9,6 +9,7 @@ void Foam::bodyOwnership::distribute(bodyGroup& group,
     for (label body = 0; body < group.nBodies(); ++body)
     {
         const scalarList state(states.size() ? states[body] : scalarList());
+        if (states.size() && state.empty()) continue; // it has been removed
         const point centre(states.size() ? group.centreOf(state, body, source)
                                          : group.initialCentre(body));
         if (neighbours_.holderOfAll(centre) == Pstream::myProcNo())

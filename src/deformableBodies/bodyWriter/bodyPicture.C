@@ -49,7 +49,8 @@ void Foam::bodyPicture::array(const word& name, const label n, Values values)
     format().endDataArray();
 }
 
-void Foam::bodyPicture::write(const label first, const List<fields>& bodies)
+void Foam::bodyPicture::write(const UList<label>& numbers,
+                              const List<fields>& bodies)
 {
     const label nPoints = bodies[0][0].size();
     const label nAll = bodies.size() * nPoints;
@@ -99,7 +100,7 @@ void Foam::bodyPicture::write(const label first, const List<fields>& bodies)
     const label nVectors = layout_.vectorNames.size();
     enter_PointData(nAll, 1 + nVectors + layout_.scalarNames.size());
     array<scalar>("body", nAll,
-                  [&](const label i) { return first + i / nPoints; });
+                  [&](const label i) { return numbers[i / nPoints]; });
     forAll(layout_.vectorNames, v)
     {
         array<vector>(layout_.vectorNames[v], nAll, vectors(3 * (v + 1)));

@@ -8,6 +8,7 @@
 #include "IPstream.H"
 #include "OPstream.H"
 #include "resultFile.H"
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -72,6 +73,7 @@ void Foam::bodyWriter::sample(const scalar now)
         };
         forAll(rows, body)
         {
+            if (rows[body].empty()) continue; // it has been removed
             add("%.10g", double(now));
             add(" %ld", long(body));
             for (const scalar x : rows[body])
@@ -87,15 +89,21 @@ void Foam::bodyWriter::sample(const scalar now)
 
 void Foam::bodyWriter::log(const bodyGroup& group, const List<scalarList>& rows)
 {
-    Info << "Bodies " << group.name() << ": " << rows.size();
+    label n = 0;
+    for (const scalarList& row : rows)
+    {
+        if (row.size()) ++n; // else it has been removed
+    }
+    Info << "Bodies " << group.name() << ": " << n;
     label k = 0;
     for (const bodyColumn& c : group.columns())
     {
-        if (c.inLog)
+        if (c.inLog && n > 0)
         {
             scalar least = GREAT, largest = -GREAT;
             for (const scalarList& row : rows)
             {
+                if (row.empty()) continue;
                 least = min(least, row[k]);
                 largest = max(largest, row[k]);
             }
@@ -192,16 +200,17 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
         const labelList& mine = group.mine();
         bodySurface layout;
         if (mine.size()) layout = group.surface(0);
-        shareLayout(group, layout);
         const label nPoints =
             returnReduce(layout.points.size(), maxOp<label>());
-        List<labelList> numbers(Pstream::nProcs());
-        numbers[Pstream::myProcNo()] = mine;
-        Pstream::gatherList(numbers);
-        labelList owner(group.nBodies());
-        forAll(numbers, proci)
+        if (nPoints == 0) continue; // all have been removed
+        shareLayout(group, layout);
+        List<labelList> ofRanks(Pstream::nProcs());
+        ofRanks[Pstream::myProcNo()] = mine;
+        Pstream::gatherList(ofRanks);
+        labelList owner(group.nBodies(), -1); // of bodies that are removed
+        forAll(ofRanks, proci)
         {
-            UIndirectList<label>(owner, numbers[proci]) = proci;
+            UIndirectList<label>(owner, ofRanks[proci]) = proci;
         }
 
         const fileName stem(dir / group.name() + "_" + Foam::name(timeIndex));
@@ -235,9 +244,15 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
             }
 
             // The first rank's own come first
-            List<bodyPicture::fields> bodies(end - first);
-            for (const label proci :
-                 std::set<label>(owner.begin() + first, owner.begin() + end))
+            DynamicList<label> numbers;
+            for (label body = first; body < end; ++body)
+            {
+                if (owner[body] >= 0) numbers.append(body);
+            }
+            std::set<label> owners(owner.begin() + first, owner.begin() + end);
+            owners.erase(-1);
+            List<bodyPicture::fields> bodies(numbers.size());
+            for (const label proci : owners)
             {
                 if (proci != Pstream::masterNo())
                 {
@@ -246,10 +261,13 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
                 }
                 forAll(which, k)
                 {
-                    bodies[which[k] - first].transfer(some[k]);
+                    bodies[std::lower_bound(numbers.begin(), numbers.end(),
+                                            which[k]) -
+                           numbers.begin()]
+                        .transfer(some[k]);
                 }
             }
-            picture->write(first, bodies);
+            if (numbers.size()) picture->write(numbers, bodies);
         }
         if (!Pstream::master()) continue;
         picture.reset();

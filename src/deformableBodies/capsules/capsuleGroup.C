@@ -4,6 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
 #include "initialShape.H"
+#include "judgedRatio.H"
 #include "weight.H"
 #include <cmath>
 
@@ -17,11 +18,13 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                                  const bodyScene& scene)
     : bodyGroup(name, dict, scene)
 {
-    checkEntries(dict, {"type", "shape", "positions", "membrane", "harmonics",
-                        "dealiasing", "markerSpacing", "shearPlane", "coupling",
-                        "bending", "viscosityRatio", "prestress", "gravity",
-                        "densityRatio", "stressFree", "motion", "thickness",
-                        "filter", "nearField", "restart"});
+    checkEntries(dict,
+                 {"type",      "shape",        "positions",      "membrane",
+                  "harmonics", "dealiasing",   "markerSpacing",  "shearPlane",
+                  "coupling",  "bending",      "viscosityRatio", "prestress",
+                  "gravity",   "densityRatio", "stressFree",     "motion",
+                  "thickness", "filter",       "nearField",      "restart",
+                  "outside"});
     if (dict.found("viscosityRatio"))
     {
         viscosityRatio_ = readPositive(dict, "viscosityRatio", dimless);
@@ -33,7 +36,11 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                "oneWay or twoWay: capsules move with the fluid");
     }
 
-    const label degree = byAccuracy<label>(dict, "harmonics", 12, 16, 24);
+    const dictionary& shape = dict.subDict("shape");
+    const label moved = degreeOfMesh(shape);
+    const label degree = dict.getOrDefault<label>(
+        "harmonics",
+        min(moved, byAccuracy<label>(dict, "harmonics", 12, 16, 24)));
     if (degree < 4 || degree > 64)
     {
         refuse(dict, "harmonics", Foam::name(degree), "4 to 64");
@@ -73,7 +80,6 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     }
 
     // The first shape, about the origin, from values on a dense grid
-    const dictionary& shape = dict.subDict("shape");
     const sphericalHarmonics fine(degree, 2 * degree + 2);
     initial_ = initialShape(shape, fine);
     const numbers& initial = initial_;
@@ -162,20 +168,20 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
         }
     }
 
-    // What the mesh carries: waves of two cells
-    const label carried = label(constant::mathematical::pi * radius_ / h);
-    if (degree > carried)
+    if (degree > moved)
     {
         IOWarningInFunction(dict)
             << "entry harmonics: " << degree << " in group " << name
-            << ", but waves of two cells have degree " << carried
+            << ", but the mesh moves degrees up to " << moved
             << " on a body of radius " << radius_ << " = " << radius_ / h
-            << " h" << nl << "    Harmonics above do not feel the fluid: "
-            << "reduce them to " << carried << ", or use cells below "
-            << constant::mathematical::pi * radius_ / degree << endl;
+            << " h" << nl << "    Strain of higher degrees does not relax and "
+            << "makes the tension noisy: leave the entry out, reduce it to "
+            << moved << ", or use cells below " << 2.4 * radius_ / degree
+            << endl;
     }
 
     positions_ = readPositions(dict);
+    judgeSize(dict);
 
     scene_.effects.declare("membrane", true,
                            dict.subDict("membrane").get<word>("law") +
@@ -190,6 +196,65 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     scene_.effects.declare("gravity", heavy,
                            heavy ? "weight of the filling"
                                  : "none on the bodies");
+}
+
+// The kernel filters waves below some 2.6 cells, 2 pi a/N = 2.6 h
+Foam::label Foam::capsuleGroup::degreeOfMesh(const dictionary& shape) const
+{
+    const sphericalHarmonics grid(12, 26);
+    const numbers coeffs(initialShape(shape, grid));
+    const label n = grid.nPoints();
+    numbers x(3 * n), t(3 * n), p(3 * n);
+    grid.values(coeffs.data(), x.data());
+    grid.gradient(coeffs.data(), t.data(), p.data());
+    const auto at = [n](const numbers& v, const label k)
+    { return vector(v[k], v[n + k], v[2 * n + k]); };
+    scalar volume = 0;
+    for (label k = 0; k < n; ++k)
+    {
+        volume += grid.weight(k) / 3 * (at(x, k) & (at(t, k) ^ at(p, k)));
+    }
+    const scalar a = std::cbrt(0.75 / constant::mathematical::pi * mag(volume));
+    const word type(shape.get<word>("type"));
+    const label shapely = type == "sphere" || type == "ellipsoid" ? 6 : 12;
+    return max(shapely, label(min(scalar(64),
+                                  2.4 * a / cmptMax(scene_.grid.h()) + 0.5)));
+}
+
+void Foam::capsuleGroup::judgeSize(const dictionary& dict) const
+{
+    const label n = markerGrid_->nPoints();
+    vectorField X(n);
+    atMarkers(initial_, X.data(), 1);
+    const boundBox box(X, false);
+    const vector h(scene_.grid.h()), L(scene_.grid.length());
+    scalar toImage = GREAT;
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (scene_.grid.periodic(d))
+        {
+            toImage = min(toImage, (L[d] - box.span()[d]) / h[d]);
+        }
+    }
+    List<judgedRatio> ratios({
+        {"shape", "radius/h", radius_ / cmptMax(h), 1, GREAT, 2, GREAT,
+         "the kernel spreads the membrane over three cells"},
+    });
+    if (twoWay())
+    {
+        ratios.append({"positions", "volume fraction",
+                       nBodies() * referenceVolume_ / cmptProduct(L), 0, 1, 0,
+                       0.7,
+                       "the capsules do not fit into the box side by side"});
+        // Larger than the box: an error of its own
+        if (toImage > 0)
+        {
+            ratios.append({"shape", "distance to its own image/h", toImage, 0,
+                           GREAT, 3, GREAT,
+                           "a capsule in a periodic box acts on itself"});
+        }
+    }
+    judge(dict, ratios);
 }
 
 void Foam::capsuleGroup::insertBody(const label i, const label body)
@@ -217,6 +282,48 @@ Foam::point Foam::capsuleGroup::initialCentre(const label body) const
 {
     return positions_[body] + vector(initial_[0], initial_[1], initial_[2]) /
                                   std::sqrt(4 * constant::mathematical::pi);
+}
+
+Foam::bodyPoints Foam::capsuleGroup::initialPoints(const label body) const
+{
+    bodyPoints p(points(-1));
+    p.body = body;
+    p.places += positions_[body];
+    return p;
+}
+
+// By the addition theorem |sum over m of c_nm Y_nm| is at most |c_n| sqrt((2n + 1)/
+// 4 pi): equal for a sphere, little more for what it becomes
+Foam::boundBox Foam::capsuleGroup::bounds(const label i,
+                                          const bool smallest) const
+{
+    const numbers& x = capsules_[i].x;
+    if (smallest)
+    {
+        vectorField points(markerGrid_->nPoints());
+        atMarkers(x, points.data(), 1);
+        return boundBox(points, false);
+    }
+    vector reach(Zero);
+    for (label n = 1; n <= markerGrid_->degree(); ++n)
+    {
+        vector squares(Zero);
+        for (label m = 0; m <= n; ++m)
+        {
+            for (int sine = 0; sine <= (m ? 1 : 0); ++sine)
+            {
+                const double* c = &x[3 * markerGrid_->index(n, m, sine)];
+                const vector v(c[0], c[1], c[2]);
+                squares += cmptMultiply(v, v);
+            }
+        }
+        for (direction d = 0; d < 3; ++d)
+        {
+            reach[d] += std::sqrt(
+                (2 * n + 1) / (4 * constant::mathematical::pi) * squares[d]);
+        }
+    }
+    return boundBox(centre(i) - reach, centre(i) + reach);
 }
 
 Foam::point Foam::capsuleGroup::centre(const label i) const

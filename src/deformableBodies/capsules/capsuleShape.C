@@ -44,6 +44,29 @@ Foam::capsuleGroup::measure(const numbers& x, const numbers& xt,
     return m;
 }
 
+Foam::string Foam::capsuleGroup::describe(const flowScales& flow) const
+{
+    const scalar Gs = membrane_->model().shearModulus();
+    OStringStream os;
+    os << nBodies() << " of radius a " << radius_ << ", a/h "
+       << radius_ / cmptMax(scene_.grid.h()) << ", N " << markerGrid_->degree()
+       << ", volume fraction "
+       << nBodies() * referenceVolume_ / cmptProduct(scene_.grid.length());
+    if (flow.rate > 0)
+    {
+        os << ", Re " << scene_.rho * flow.rate * sqr(radius_) / scene_.mu
+           << ", Ca " << scene_.mu * flow.rate * radius_ / Gs;
+    }
+    else if (flow.speed > 0)
+    {
+        os << ", Re " << scene_.rho * flow.speed * radius_ / scene_.mu
+           << ", mu U/Gs " << scene_.mu * flow.speed / Gs;
+    }
+    if (bending_)
+        os << ", E_B/(a^2 Gs) " << bending_->modulus() / sqr(radius_) / Gs;
+    return os.str();
+}
+
 std::vector<Foam::bodyColumn> Foam::capsuleGroup::columns() const
 {
     return {{"x", "m"},

@@ -3,6 +3,7 @@
 #include "filamentGroup.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
+#include "judgedRatio.H"
 #include "markerLine.H"
 #include "mathematicalConstants.H"
 #include "weight.H"
@@ -34,7 +35,7 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
                  {"type", "length", "diameter", "segments", "bendingRigidity",
                   "densityRatio", "ends", "positions", "directions", "gravity",
                   "coupling", "shearPlane", "scheme", "thicknessCouple",
-                  "baseMotion", "bow", "restart"});
+                  "baseMotion", "bow", "restart", "outside"});
 
     properties_.length = readPositive(dict, "length", dimLength);
     const scalar diameter = readPositive(dict, "diameter", dimLength);
@@ -108,6 +109,7 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
     readCouplingEntries(dict);
 
     readStart(dict);
+    judgeSize(dict);
 
     const scalar fraction = nBodies() * properties_.length * 0.25 *
                             constant::mathematical::pi * sqr(thickness_) /
@@ -169,6 +171,26 @@ void Foam::filamentGroup::readStart(const dictionary& dict)
     }
 }
 
+void Foam::filamentGroup::judgeSize(const dictionary& dict) const
+{
+    const scalar diameter =
+        std::sqrt(4 / constant::mathematical::pi * crossSection_);
+    List<judgedRatio> ratios({
+        {"diameter", "diameter/length", diameter / properties_.length, 0, 0.5,
+         0, 0.5, "the theory is that of slender bodies"},
+    });
+    if (twoWay())
+    {
+        ratios.append(
+            {"diameter",
+             "diameter/(diameter that the fluid feels, " +
+                 Foam::name(thickness_ / h_) + " h)",
+             diameter / thickness_, 0, 3, 0, 1.5,
+             "the drag is that of a thinner fibre: use larger cells"});
+    }
+    judge(dict, ratios);
+}
+
 void Foam::filamentGroup::insertBody(const label i, const label number)
 {
     filament x(properties_, firstShape(number));
@@ -189,6 +211,27 @@ void Foam::filamentGroup::eraseBody(const label i)
 Foam::point Foam::filamentGroup::initialCentre(const label number) const
 {
     return average(firstShape(number));
+}
+
+Foam::bodyPoints Foam::filamentGroup::initialPoints(const label number) const
+{
+    const vectorField X(firstShape(number));
+    return pointsOf(number, X, vectorField(X.size(), Zero));
+}
+
+Foam::boundBox Foam::filamentGroup::bounds(const label i, const bool) const
+{
+    return boundBox(bodies_[i].line.places(), false);
+}
+
+Foam::boundBox Foam::filamentGroup::forcedBounds(const label i) const
+{
+    vectorField X(points_.size());
+    forAll(X, k)
+    {
+        X[k] = points_[k](bodies_[i].line.places());
+    }
+    return boundBox(X, false);
 }
 
 Foam::point Foam::filamentGroup::centre(const label i) const

@@ -6,6 +6,30 @@
 #include "mathematicalConstants.H"
 #include <cmath>
 
+Foam::string Foam::filamentGroup::describe(const flowScales& flow) const
+{
+    const scalar L = properties_.length, B = properties_.rigidity;
+    OStringStream os;
+    os << nBodies() << " of length L " << L << ", L/h " << L / h_
+       << ", diameter/h " << thickness_ / h_ << ", L/diameter "
+       << L / thickness_ << ", volume fraction "
+       << nBodies() * L * 0.25 * constant::mathematical::pi * sqr(thickness_) /
+              cmptProduct(scene_.grid.length());
+    if (flow.rate > 0)
+    {
+        os << ", Re " << scene_.rho * flow.rate * sqr(L) / scene_.mu;
+        if (B > 0)
+            os << ", mu rate L^4/B " << scene_.mu * flow.rate * pow4(L) / B;
+    }
+    else if (flow.speed > 0)
+    {
+        os << ", Re " << scene_.rho * flow.speed * L / scene_.mu;
+        if (B > 0)
+            os << ", mu U L^3/B " << scene_.mu * flow.speed * pow3(L) / B;
+    }
+    return os.str();
+}
+
 std::vector<Foam::bodyColumn> Foam::filamentGroup::columns() const
 {
     return {{"x", "m"},           {"y", "m"},

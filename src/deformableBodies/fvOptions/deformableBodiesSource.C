@@ -23,6 +23,21 @@ Foam::fv::deformableBodiesSource::deformableBodiesSource(const word& name,
       phiName_(coeffs_.getOrDefault<word>("phi", "phi")),
       bodies_(bodyCollection::New(mesh))
 {
+    label nOptions = 0;
+    for (const entry& e : dict.parent())
+    {
+        if (e.isDict() && e.dict().getOrDefault<word>("type", "") == typeName &&
+            e.dict().getOrDefault<bool>("active", true))
+        {
+            ++nOptions;
+        }
+    }
+    if (nOptions > 1)
+    {
+        refuse(dict, "type",
+               typeName + " in " + Foam::name(nOptions) + " options",
+               "one option: each adds the force of all bodies");
+    }
     fieldNames_.setSize(1, coeffs_.getOrDefault<word>("U", "U"));
     applied_.setSize(1, false);
     if (!active_)

@@ -64,76 +64,156 @@ private:
         return min(max(b, label(0)), nBins - 1);
     }
 };
+
+//- Markers in bins
+class markerBins
+{
+public:
+    //- What is looked at of a marker, in one place of memory
+    struct entry
+    {
+        scalar at[3];
+        label line, number, next;
+    };
+
+private:
+    const binsOfDirection bins_[3];
+    std::vector<entry> all_;
+    std::vector<label> firstIn_;
+
+    label binOf(const label i, const label j, const label k) const
+    {
+        return i + bins_[0].nBins * (j + bins_[1].nBins * k);
+    }
+
+public:
+    //- ids: line of each marker, left out where negative, and its number
+    markerBins(const uniformGrid& grid, const UList<vector>& X,
+               const scalarField& ids)
+        : bins_{{grid, 0}, {grid, 1}, {grid, 2}},
+          all_(X.size()),
+          firstIn_(bins_[0].nBins * bins_[1].nBins * bins_[2].nBins, -1)
+    {
+        forAll(X, k)
+        {
+            entry& e = all_[k];
+            e.line = label(ids[2 * k]);
+            e.number = label(ids[2 * k + 1]);
+            if (e.line < 0) continue;
+            for (direction d = 0; d < 3; ++d)
+            {
+                e.at[d] = bins_[d].place(X[k][d]);
+            }
+            label& first =
+                firstIn_[binOf(bins_[0].bin(e.at[0]), bins_[1].bin(e.at[1]),
+                               bins_[2].bin(e.at[2]))];
+            e.next = first;
+            first = k;
+        }
+    }
+
+    const entry& operator[](const label k) const { return all_[k]; }
+
+    //- Cells between two markers in a direction, to the nearest image
+    scalar distance(const entry& a, const entry& b, const direction d) const
+    {
+        return bins_[d].distance(a.at[d], b.at[d]);
+    }
+
+    //- visit(other) of all in the bins within lineReach of a marker
+    template<class Visit>
+    void eachNear(const entry& e, Visit visit) const
+    {
+        label bin[3][2];
+        int nBins[3];
+        for (direction d = 0; d < 3; ++d)
+        {
+            bin[d][0] = bins_[d].bin(e.at[d] - markerSet::lineReach);
+            bin[d][1] = bins_[d].bin(e.at[d] + markerSet::lineReach);
+            nBins[d] = bin[d][0] == bin[d][1] ? 1 : 2;
+        }
+        for (int l = 0; l < nBins[2]; ++l)
+        {
+            for (int j = 0; j < nBins[1]; ++j)
+            {
+                for (int i = 0; i < nBins[0]; ++i)
+                {
+                    for (label m =
+                             firstIn_[binOf(bin[0][i], bin[1][j], bin[2][l])];
+                         m >= 0; m = all_[m].next)
+                    {
+                        visit(all_[m]);
+                    }
+                }
+            }
+        }
+    }
+};
 } // namespace
 
-// The kernel sees another marker the less the further it is away along each
-// direction; here a straight line down to zero stands for that
-void Foam::markerSet::lineDensity(const labelUList& line,
-                                  scalarField& density) const
-{
-    const scalar reach = 1.5;
-    const label sameLine =
-        4; // markers further apart in the list meet by chance
+constexpr Foam::scalar Foam::markerSet::lineReach;
 
-    // Line of each marker here, and its number in the list of its owner
+Foam::scalarField Foam::markerSet::linesHere(const labelUList& line) const
+{
     scalarField ids(2 * nOwn_);
     forAll(line, k)
     {
         ids[2 * k] = line[k];
         ids[2 * k + 1] = k;
     }
-    if (Pstream::parRun()) ids = handOut(ids.cdata(), 2);
+    return Pstream::parRun() ? handOut(ids.cdata(), 2) : ids;
+}
 
-    const binsOfDirection bins[3] = {{grid_, 0}, {grid_, 1}, {grid_, 2}};
-    const auto binOf = [&](const label i, const label j, const label k)
-    { return i + bins[0].nBins * (j + bins[1].nBins * k); };
+bool Foam::markerSet::holds(const label k) const
+{
+    return !Pstream::parRun() ||
+           neighbours_.holder(X_[k]) == neighbours_.me();
+}
 
-    // What is looked at of a marker, in one place of memory
-    struct entry
-    {
-        scalar at[3];
-        label line, number, next;
-    };
-    std::vector<entry> all(X_.size());
-    std::vector<label> firstIn(bins[0].nBins * bins[1].nBins * bins[2].nBins,
-                               -1);
+void Foam::markerSet::closeLines(const labelUList& line,
+                                 const visitor& visit) const
+{
+    const markerBins bins(grid_, X_, linesHere(line));
     forAll(X_, k)
     {
-        entry& e = all[k];
-        e.line = label(ids[2 * k]);
-        e.number = label(ids[2 * k + 1]);
-        if (e.line < 0) continue;
-        for (direction d = 0; d < 3; ++d)
-        {
-            e.at[d] = bins[d].place(X_[k][d]);
-        }
-        label& first = firstIn[binOf(bins[0].bin(e.at[0]), bins[1].bin(e.at[1]),
-                                     bins[2].bin(e.at[2]))];
-        e.next = first;
-        first = k;
+        const markerBins::entry& e = bins[k];
+        if (e.line < 0 || !holds(k)) continue;
+        bins.eachNear(e,
+                      [&](const markerBins::entry& other)
+                      {
+                          if (other.line == e.line) return;
+                          scalar squares = 0;
+                          for (direction d = 0; d < 3; ++d)
+                          {
+                              squares += sqr(bins.distance(e, other, d));
+                          }
+                          if (squares < sqr(lineReach))
+                          {
+                              visit(e.line, other.line, X_[k],
+                                    std::sqrt(squares));
+                          }
+                      });
     }
+}
+
+// The kernel sees another marker the less the further it is away along each
+// direction; here a straight line down to zero stands for that
+void Foam::markerSet::lineDensity(const labelUList& line,
+                                  scalarField& density) const
+{
+    const label sameLine =
+        4; // markers further apart in the list meet by chance
+    const markerBins bins(grid_, X_, linesHere(line));
 
     scalarField others(X_.size(), Zero);
     std::vector<std::pair<label, scalar>> touched; // line, largest share
     forAll(X_, k)
     {
         // A marker's surroundings are known to the rank that holds its cell
-        const entry& e = all[k];
-        if (e.line < 0 || (Pstream::parRun() &&
-                           neighbours_.holder(X_[k]) != neighbours_.me()))
-        {
-            continue;
-        }
-        label bin[3][2];
-        int nBins[3];
-        for (direction d = 0; d < 3; ++d)
-        {
-            bin[d][0] = bins[d].bin(e.at[d] - reach);
-            bin[d][1] = bins[d].bin(e.at[d] + reach);
-            nBins[d] = bin[d][0] == bin[d][1] ? 1 : 2;
-        }
+        const markerBins::entry& e = bins[k];
+        if (e.line < 0 || !holds(k)) continue;
         touched.clear();
-        const auto touch = [&](const entry& other)
+        const auto touch = [&](const markerBins::entry& other)
         {
             if (other.line == e.line &&
                 mag(other.number - e.number) <= sameLine)
@@ -143,8 +223,8 @@ void Foam::markerSet::lineDensity(const labelUList& line,
             scalar share = 1;
             for (direction d = 0; d < 3; ++d)
             {
-                const scalar away = bins[d].distance(e.at[d], other.at[d]);
-                share *= max(scalar(0), 1 - away * (1 / reach));
+                const scalar away = bins.distance(e, other, d);
+                share *= max(scalar(0), 1 - away * (1 / lineReach));
             }
             if (share == 0) return;
             for (auto& t : touched)
@@ -155,21 +235,7 @@ void Foam::markerSet::lineDensity(const labelUList& line,
             }
             touched.push_back({other.line, share});
         };
-        for (int l = 0; l < nBins[2]; ++l)
-        {
-            for (int j = 0; j < nBins[1]; ++j)
-            {
-                for (int i = 0; i < nBins[0]; ++i)
-                {
-                    for (label m =
-                             firstIn[binOf(bin[0][i], bin[1][j], bin[2][l])];
-                         m >= 0; m = all[m].next)
-                    {
-                        touch(all[m]);
-                    }
-                }
-            }
-        }
+        bins.eachNear(e, touch);
         for (const auto& t : touched)
         {
             others[k] += t.second;

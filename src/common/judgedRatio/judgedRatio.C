@@ -1,0 +1,42 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "judgedRatio.H"
+#include "dictionaryChecks.H"
+
+namespace
+{
+// Ranges are round numbers: what was meant to be at their ends may be beside them
+// by round-off
+bool within(const Foam::scalar x, const Foam::scalar least,
+            const Foam::scalar most)
+{
+    return x >= least * (1 - 1e-9) && x <= most * (1 + 1e-9);
+}
+} // namespace
+
+Foam::string Foam::rangeOf(const scalar least, const scalar most)
+{
+    if (most >= GREAT) return "at least " + Foam::name(least);
+    if (least <= 0) return "at most " + Foam::name(most);
+    return Foam::name(least) + " to " + Foam::name(most);
+}
+
+void Foam::judge(const dictionary& dict, const List<judgedRatio>& ratios)
+{
+    for (const judgedRatio& r : ratios)
+    {
+        const string value(r.name + " = " + Foam::name(r.value));
+        if (!within(r.value, r.least, r.most))
+        {
+            refuse(dict, r.entry, value,
+                   rangeOf(r.least, r.most) + ": " + r.reason);
+        }
+        if (!within(r.value, r.soundLeast, r.soundMost))
+        {
+            IOWarningInFunction(dict)
+                << "entry " << r.entry << ": " << value.c_str() << ", sound is "
+                << rangeOf(r.soundLeast, r.soundMost).c_str() << ": "
+                << r.reason.c_str() << endl;
+        }
+    }
+}

@@ -1,0 +1,124 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "sceneNumbers.H"
+#include "gaussGrad.H"
+#include "volFields.H"
+#include <iomanip>
+#include <sstream>
+
+Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh, string& from)
+{
+    flowScales s;
+    if (!mesh.foundObject<volVectorField>("U")) return s;
+    const auto& U = mesh.lookupObject<volVectorField>("U");
+    const uniformGrid& grid = uniformGrid::New(mesh);
+
+    s.speed = gMax(mag(U.primitiveField()));
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (grid.periodic(d)) continue;
+        vector velocity[2] = {Zero, Zero};
+        scalar area[2] = {0, 0};
+        for (const fvPatchVectorField& side : U.boundaryField())
+        {
+            if (side.patch().coupled()) continue;
+            forAll(side, i)
+            {
+                const label facei = side.patch().start() + i;
+                if (grid.faceDirection(facei) != d) continue;
+                const bool upper = !grid.lowerSide(facei);
+                velocity[upper] += mesh.magSf().boundaryField()
+                                       [side.patch().index()][i] *
+                                   side[i];
+                area[upper] +=
+                    mesh.magSf().boundaryField()[side.patch().index()][i];
+                s.speed = max(s.speed, mag(side[i]));
+            }
+        }
+        for (label upper = 0; upper < 2; ++upper)
+        {
+            reduce(velocity[upper], sumOp<vector>());
+            reduce(area[upper], sumOp<scalar>());
+            velocity[upper] /= area[upper] + VSMALL;
+        }
+        vector across(velocity[1] - velocity[0]);
+        across[d] = 0;
+        const scalar rate = mag(across) / grid.length()[d];
+        if (rate > s.rate)
+        {
+            s.rate = rate;
+            from = string("sides ") + vector::componentNames[d] +
+                   " against each other";
+        }
+    }
+    reduce(s.speed, maxOp<scalar>());
+    if (s.rate <= SMALL * s.speed / cmptMin(grid.h())) s.rate = 0;
+    if (s.rate == 0 && s.speed > 0)
+    {
+        const tmp<volTensorField> gradU(fv::gaussGrad<vector>::gradf(
+            linearInterpolate(U), "gradientAtStart"));
+        s.rate = std::sqrt(2.0) * gMax(mag(symm(gradU().primitiveField()))());
+        from = "largest in the field U";
+        if (s.rate <= 1e-9 * s.speed / cmptMax(grid.length())) s.rate = 0;
+    }
+    return s;
+}
+
+void Foam::printSceneNumbers(const fvMesh& mesh, const scalar rho,
+                             const scalar nu,
+                             const PtrList<bodyGroup>& groups)
+{
+    const uniformGrid& grid = uniformGrid::New(mesh);
+    const auto line = [](const std::string& name)
+    {
+        std::ostringstream os;
+        os << "    " << std::left << std::setw(18) << name;
+        return os.str();
+    };
+    const auto sizes = [](const vector& v)
+    { return Foam::name(v.x()) + " x " + Foam::name(v.y()) + " x " + Foam::name(v.z()); };
+
+    string closed;
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (!grid.periodic(d)) closed += string(" ") + vector::componentNames[d];
+    }
+    const vector h(grid.h());
+    const labelVector& n = grid.n();
+    Info << nl << "Scene in numbers" << nl << line("box").c_str()
+         << sizes(grid.length()).c_str() << " m, "
+         << (closed.empty() ? "periodic" : "sides in" + closed).c_str() << "; "
+         << n.x() << " x " << n.y() << " x " << n.z() << " cells, h "
+         << (cmptMax(h) < cmptMin(h) * (1 + 1e-6) ? Foam::name(h.x())
+                                                  : word(sizes(h), false))
+                .c_str()
+         << " m" << nl;
+
+    bool fluid = false;
+    forAll(groups, g)
+    {
+        fluid = fluid || !groups[g].alone();
+    }
+    string from;
+    flowScales flow;
+    if (fluid)
+    {
+        flow = scalesAtStart(mesh, from);
+        Info << line("fluid").c_str() << "rho " << rho << " kg/m^3, mu "
+             << rho * nu << " Pa s, nu " << nu << " m^2/s" << nl
+             << line("flow").c_str();
+        if (flow.speed > 0)
+            Info << "up to " << flow.speed << " m/s";
+        else
+            Info << "at rest: no Re, no Ca";
+        if (flow.rate > 0)
+            Info << ", rate " << flow.rate << " 1/s (" << from.c_str() << ')';
+        Info << nl;
+    }
+    forAll(groups, g)
+    {
+        Info << line(groups[g].name()).c_str()
+             << groups[g].describe(flow).c_str() << nl;
+    }
+    Info << endl;
+}
