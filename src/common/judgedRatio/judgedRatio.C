@@ -2,9 +2,19 @@
 
 #include "judgedRatio.H"
 #include "dictionaryChecks.H"
+#include "StringStream.H"
 
 namespace
 {
+// Four digits tell
+Foam::string digits(const Foam::scalar x)
+{
+    Foam::OStringStream os;
+    os.precision(4);
+    os << x;
+    return os.str();
+}
+
 // Ranges are round numbers: what was meant to be at their ends may be beside them
 // by round-off
 bool within(const Foam::scalar x, const Foam::scalar least,
@@ -16,16 +26,16 @@ bool within(const Foam::scalar x, const Foam::scalar least,
 
 Foam::string Foam::rangeOf(const scalar least, const scalar most)
 {
-    if (most >= GREAT) return "at least " + Foam::name(least);
-    if (least <= 0) return "at most " + Foam::name(most);
-    return Foam::name(least) + " to " + Foam::name(most);
+    if (most >= GREAT) return "at least " + digits(least);
+    if (least <= 0) return "at most " + digits(most);
+    return digits(least) + " to " + digits(most);
 }
 
 void Foam::judge(const dictionary& dict, const List<judgedRatio>& ratios)
 {
     for (const judgedRatio& r : ratios)
     {
-        const string value(r.name + " = " + Foam::name(r.value));
+        const string value(r.name + " = " + digits(r.value));
         if (!within(r.value, r.least, r.most))
         {
             refuse(dict, r.entry, value,

@@ -94,8 +94,9 @@ void Foam::refuseRepeated(const dictionary& dict, const fileName& file)
     Pstream::scatter(repeated);
     if (!repeated.empty())
     {
-        refuse(dict, repeated, "two dictionaries",
-               "one: of two with the same name OpenFOAM would make one; give the "
-               "second another name");
+        refuse(
+            dict, repeated, "two dictionaries",
+            "one: of two with the same name OpenFOAM would make one; give the "
+            "second another name");
     }
 }

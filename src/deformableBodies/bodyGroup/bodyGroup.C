@@ -46,10 +46,12 @@ Foam::bodyGroup::bodyGroup(const word& name, const dictionary& dict,
     const label n = cmptMin(scene.grid.n());
     if (!alone() && n < least)
     {
-        refuse(dict, "type", dict.get<word>("type") + " on a mesh of " +
-                                 Foam::name(n) + " cells in one direction",
-               "meshes of " + Foam::name(least) +
-                   " cells and more in each direction, the width of the kernel");
+        refuse(
+            dict, "type",
+            dict.get<word>("type") + " on a mesh of " + Foam::name(n) +
+                " cells in one direction",
+            "meshes of " + Foam::name(least) +
+                " cells and more in each direction, the width of the kernel");
     }
 }
 

@@ -51,8 +51,7 @@ pointField someOf(const bodyPoints& body, const label n, const scalar apart)
             const label parts = label(mag(X[k] - X[k - 1]) / apart) + 1;
             for (label j = 1; j <= parts; ++j)
             {
-                points.append(X[k - 1] +
-                              scalar(j) / parts * (X[k] - X[k - 1]));
+                points.append(X[k - 1] + scalar(j) / parts * (X[k] - X[k - 1]));
             }
         }
     }
@@ -85,9 +84,9 @@ meeting meetingOf(const bodyPoints& a, const bodyPoints& b, const scalar h)
 {
     if (!a.isSurface() && !b.isSurface())
     {
-        const scalar thickness = (std::sqrt(a.crossSection) +
-                                  std::sqrt(b.crossSection)) /
-                                 std::sqrt(constant::mathematical::pi);
+        const scalar thickness =
+            (std::sqrt(a.crossSection) + std::sqrt(b.crossSection)) /
+            std::sqrt(constant::mathematical::pi);
         for (label i = 1; i < a.places.size(); ++i)
         {
             for (label j = 1; j < b.places.size(); ++j)
@@ -155,7 +154,8 @@ void Foam::bodyPlaces::checkStart(const dictionary& dict) const
     }
     const auto binAt = [&](const point& x, const direction d)
     {
-        const label b = label(std::floor((x[d] - grid_.origin()[d]) / L[d] * n[d]));
+        const label b =
+            label(std::floor((x[d] - grid_.origin()[d]) / L[d] * n[d]));
         return min(max(b, label(0)), n[d] - 1);
     };
     std::unordered_map<label, DynamicList<label>> bins;
@@ -187,8 +187,8 @@ void Foam::bodyPlaces::checkStart(const dictionary& dict) const
         bodyPoints q(k.initialPoints(b.number));
         q.places += image;
         const bool onePlace = a.group == b.group && mag(apart) < 1e-6 * h;
-        const meeting m = onePlace && p.isSurface() ? meeting::cross
-                                                    : meetingOf(p, q, h);
+        const meeting m =
+            onePlace && p.isSurface() ? meeting::cross : meetingOf(p, q, h);
         if (m == meeting::none) return;
         const bool fatal = m == meeting::cross && g.twoWay() && k.twoWay();
         ++(fatal ? nErrors : nWarnings);
@@ -230,7 +230,8 @@ void Foam::bodyPlaces::checkStart(const dictionary& dict) const
             {
                 for (label k = 0; k < nAt[2]; ++k)
                 {
-                    const auto bin = bins.find(key(at[0][i], at[1][j], at[2][k]));
+                    const auto bin =
+                        bins.find(key(at[0][i], at[1][j], at[2][k]));
                     if (bin == bins.end()) continue;
                     for (const label other : bin->second)
                     {

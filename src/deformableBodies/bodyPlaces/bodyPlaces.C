@@ -50,7 +50,8 @@ Foam::bodyPlaces::bodyPlaces(const fvMesh& mesh, PtrList<bodyGroup>& groups,
     if (!inside.empty())
     {
         WarningInFunction
-            << "walls inside the box (" << inside.c_str() << "): bodies move and "
+            << "walls inside the box (" << inside.c_str()
+            << "): bodies move and "
             << "act across them as if they were not there; keep bodies away"
             << endl;
     }
@@ -66,9 +67,9 @@ Foam::bodyPlaces::bodyPlaces(const fvMesh& mesh, PtrList<bodyGroup>& groups,
         for (label h = 0; h <= g; ++h)
         {
             // Others share no force through the fluid
-            pairNamed_[pairOf(g, h)] =
-                !groups_[g].twoWay() || !groups_[h].twoWay() ||
-                (g == h && groups_[g].nBodies() < 2);
+            pairNamed_[pairOf(g, h)] = !groups_[g].twoWay() ||
+                                       !groups_[h].twoWay() ||
+                                       (g == h && groups_[g].nBodies() < 2);
         }
     }
 }
@@ -136,8 +137,8 @@ Foam::string Foam::bodyPlaces::removeOutside()
             const string what(group.nameOf(i) + " reaches through " + where);
             if (group.removesOutside())
             {
-                removed += "Removed at time " + time_.timeName() + ": " + what +
-                           "\n";
+                removed +=
+                    "Removed at time " + time_.timeName() + ": " + what + "\n";
                 group.release(i);
             }
             else if (trouble.empty())
@@ -177,7 +178,8 @@ void Foam::bodyPlaces::warnOfWalls()
             if (sentence.empty()) continue;
             WarningInFunction
                 << sentence.c_str() << ", at time " << time_.timeName() << nl
-                << "    The force of a fibre is spread over 1.5 cells to either "
+                << "    The force of a fibre is spread over 1.5 cells to "
+                   "either "
                 << "side, and the wall cuts this off: drag and slip are wrong "
                 << "there. Keep fibres a cell from walls, or use smaller cells"
                 << endl;
@@ -231,17 +233,19 @@ void Foam::bodyPlaces::warnOfClose()
         point at = Zero;
     };
     List<encounter> closest(pairNamed_.size());
-    markers_.closeLines(
-        body,
-        [&](const label a, const label b, const point& at, const scalar distance)
-        {
-            const label pair = pairOf(groupOf(a), groupOf(b));
-            if (pairNamed_[pair] || distance >= closest[pair].distance) return;
-            closest[pair].distance = distance;
-            closest[pair].a = a;
-            closest[pair].b = b;
-            closest[pair].at = at;
-        });
+    markers_.closeLines(body,
+                        [&](const label a, const label b, const point& at,
+                            const scalar distance)
+                        {
+                            const label pair = pairOf(groupOf(a), groupOf(b));
+                            if (pairNamed_[pair] ||
+                                distance >= closest[pair].distance)
+                                return;
+                            closest[pair].distance = distance;
+                            closest[pair].a = a;
+                            closest[pair].b = b;
+                            closest[pair].at = at;
+                        });
 
     // Any is rare, and said once
     scalarList distances(closest.size());
@@ -276,7 +280,8 @@ void Foam::bodyPlaces::warnOfClose()
             WarningInFunction
                 << s.c_str() << ", at time " << time_.timeName() << nl
                 << "    Below 1.5 cells the fluid between bodies is not "
-                << "resolved, and nothing keeps them apart (said once for these "
+                << "resolved, and nothing keeps them apart (said once for "
+                   "these "
                 << "groups)" << endl;
             break;
         }

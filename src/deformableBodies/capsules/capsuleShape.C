@@ -48,6 +48,7 @@ Foam::string Foam::capsuleGroup::describe(const flowScales& flow) const
 {
     const scalar Gs = membrane_->model().shearModulus();
     OStringStream os;
+    os.precision(4);
     os << nBodies() << " of radius a " << radius_ << ", a/h "
        << radius_ / cmptMax(scene_.grid.h()) << ", N " << markerGrid_->degree()
        << ", volume fraction "

@@ -10,11 +10,13 @@ Foam::string Foam::filamentGroup::describe(const flowScales& flow) const
 {
     const scalar L = properties_.length, B = properties_.rigidity;
     OStringStream os;
+    os.precision(4);
     os << nBodies() << " of length L " << L << ", L/h " << L / h_
        << ", diameter/h " << thickness_ / h_ << ", L/diameter "
        << L / thickness_ << ", volume fraction "
        << nBodies() * L * 0.25 * constant::mathematical::pi * sqr(thickness_) /
               cmptProduct(scene_.grid.length());
+    if (alone()) return os.str();
     if (flow.rate > 0)
     {
         os << ", Re " << scene_.rho * flow.rate * sqr(L) / scene_.mu;

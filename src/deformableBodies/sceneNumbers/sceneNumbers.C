@@ -2,6 +2,7 @@
 
 #include "sceneNumbers.H"
 #include "gaussGrad.H"
+#include "StringStream.H"
 #include "volFields.H"
 #include <iomanip>
 #include <sstream>
@@ -27,9 +28,9 @@ Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh, string& from)
                 const label facei = side.patch().start() + i;
                 if (grid.faceDirection(facei) != d) continue;
                 const bool upper = !grid.lowerSide(facei);
-                velocity[upper] += mesh.magSf().boundaryField()
-                                       [side.patch().index()][i] *
-                                   side[i];
+                velocity[upper] +=
+                    mesh.magSf().boundaryField()[side.patch().index()][i] *
+                    side[i];
                 area[upper] +=
                     mesh.magSf().boundaryField()[side.patch().index()][i];
                 s.speed = max(s.speed, mag(side[i]));
@@ -65,8 +66,7 @@ Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh, string& from)
 }
 
 void Foam::printSceneNumbers(const fvMesh& mesh, const scalar rho,
-                             const scalar nu,
-                             const PtrList<bodyGroup>& groups)
+                             const scalar nu, const PtrList<bodyGroup>& groups)
 {
     const uniformGrid& grid = uniformGrid::New(mesh);
     const auto line = [](const std::string& name)
@@ -75,13 +75,21 @@ void Foam::printSceneNumbers(const fvMesh& mesh, const scalar rho,
         os << "    " << std::left << std::setw(18) << name;
         return os.str();
     };
-    const auto sizes = [](const vector& v)
-    { return Foam::name(v.x()) + " x " + Foam::name(v.y()) + " x " + Foam::name(v.z()); };
+    const auto digits = [](const scalar x)
+    {
+        OStringStream os;
+        os.precision(4);
+        os << x;
+        return os.str();
+    };
+    const auto sizes = [&](const vector& v)
+    { return digits(v.x()) + " x " + digits(v.y()) + " x " + digits(v.z()); };
 
     string closed;
     for (direction d = 0; d < 3; ++d)
     {
-        if (!grid.periodic(d)) closed += string(" ") + vector::componentNames[d];
+        if (!grid.periodic(d))
+            closed += string(" ") + vector::componentNames[d];
     }
     const vector h(grid.h());
     const labelVector& n = grid.n();
@@ -89,8 +97,7 @@ void Foam::printSceneNumbers(const fvMesh& mesh, const scalar rho,
          << sizes(grid.length()).c_str() << " m, "
          << (closed.empty() ? "periodic" : "sides in" + closed).c_str() << "; "
          << n.x() << " x " << n.y() << " x " << n.z() << " cells, h "
-         << (cmptMax(h) < cmptMin(h) * (1 + 1e-6) ? Foam::name(h.x())
-                                                  : word(sizes(h), false))
+         << (cmptMax(h) < cmptMin(h) * (1 + 1e-6) ? digits(h.x()) : sizes(h))
                 .c_str()
          << " m" << nl;
 
@@ -104,15 +111,16 @@ void Foam::printSceneNumbers(const fvMesh& mesh, const scalar rho,
     if (fluid)
     {
         flow = scalesAtStart(mesh, from);
-        Info << line("fluid").c_str() << "rho " << rho << " kg/m^3, mu "
-             << rho * nu << " Pa s, nu " << nu << " m^2/s" << nl
-             << line("flow").c_str();
+        Info << line("fluid").c_str() << "rho " << digits(rho).c_str()
+             << " kg/m^3, mu " << digits(rho * nu).c_str() << " Pa s, nu "
+             << digits(nu).c_str() << " m^2/s" << nl << line("flow").c_str();
         if (flow.speed > 0)
-            Info << "up to " << flow.speed << " m/s";
+            Info << "up to " << digits(flow.speed).c_str() << " m/s";
         else
             Info << "at rest: no Re, no Ca";
         if (flow.rate > 0)
-            Info << ", rate " << flow.rate << " 1/s (" << from.c_str() << ')';
+            Info << ", rate " << digits(flow.rate).c_str() << " 1/s ("
+                 << from.c_str() << ')';
         Info << nl;
     }
     forAll(groups, g)

@@ -166,8 +166,7 @@ Foam::scalarField Foam::markerSet::linesHere(const labelUList& line) const
 
 bool Foam::markerSet::holds(const label k) const
 {
-    return !Pstream::parRun() ||
-           neighbours_.holder(X_[k]) == neighbours_.me();
+    return !Pstream::parRun() || neighbours_.holder(X_[k]) == neighbours_.me();
 }
 
 void Foam::markerSet::closeLines(const labelUList& line,
