@@ -195,6 +195,7 @@ void Foam::bodyPlaces::checkStart(const dictionary& dict) const
         string& first = fatal ? error : warning;
         if (!first.empty()) return;
         OStringStream os;
+        os.precision(6);
         os << g.nameOfBody(a.number).c_str() << " at " << a.centre << " and "
            << k.nameOfBody(b.number).c_str() << " at " << b.centre << ' '
            << (onePlace                 ? "lie in one place"

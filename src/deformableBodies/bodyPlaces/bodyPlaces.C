@@ -100,6 +100,7 @@ Foam::string Foam::bodyPlaces::through(const boundBox& bounds,
         {
             if (!(beyond[s] > cells * grid_.h()[d])) continue;
             OStringStream os;
+            os.precision(6);
             os << "patch " << sides_[d][s].c_str() << ": it extends to "
                << vector::componentNames[d] << " = "
                << (s ? bounds.max()[d] : bounds.min()[d])
@@ -118,7 +119,7 @@ Foam::string Foam::bodyPlaces::look()
         trouble = removeOutside();
         if (anyForcing_) warnOfWalls();
     }
-    if (steps_++ % 20 == 0 && pairNamed_.found(false)) warnOfClose();
+    if (steps_++ % 50 == 0 && pairNamed_.found(false)) warnOfClose();
     return trouble;
 }
 
@@ -269,6 +270,7 @@ void Foam::bodyPlaces::warnOfClose()
         {
             const label g = groupOf(e.a), h = groupOf(e.b);
             OStringStream os;
+            os.precision(6);
             os << groups_[g].nameOfBody(e.a - firstBody_[g]).c_str() << " and "
                << groups_[h].nameOfBody(e.b - firstBody_[h]).c_str() << " are "
                << e.distance << " cells apart at " << e.at;
