@@ -16,7 +16,7 @@ defineTypeNameAndDebug(bodyCollection, 0);
 
 const Foam::word Foam::bodyCollection::stateEntry("deformableBodies");
 
-Foam::bodyCollection::bodyCollection(const fvMesh\& mesh,
+Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
                                      const bool solverBalances)
     : regIOobject(IOobject("deformableBodies", mesh.time().timeName(),
                            "uniform", mesh, IOobject::NO_READ,

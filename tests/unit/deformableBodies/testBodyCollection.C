@@ -107,7 +107,7 @@ TEST(BodyCollection, aRegionHasItsOwnPlace)
           "positions ((1 1 1)); } }",
           region);
     {
-        bodyCollection bodies(box.mesh());
+        bodyCollection bodies(box.mesh(), true);
         staggeredField u(uniformGrid::New(box.mesh()).box());
         u.clear();
         bodies.moveWithVelocity(u, u);
@@ -126,7 +126,7 @@ TEST(BodyCollection, aRegionHasItsOwnPlace)
     }
 
     // The state of the region is read again
-    const bodyCollection again(box.mesh());
+    const bodyCollection again(box.mesh(), true);
     EXPECT_EQ(again.save().states[0].size(), 1);
     for (const fileName& dir :
          {state.path(), root / "constant" / region,
