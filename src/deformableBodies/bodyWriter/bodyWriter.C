@@ -107,8 +107,11 @@ void Foam::bodyWriter::log(const bodyGroup& group, const List<scalarList>& rows)
                 least = min(least, row[k]);
                 largest = max(largest, row[k]);
             }
-            Info << ", " << c.name << ' ' << least;
-            if (largest > least) Info << " to " << largest;
+            char range[64];
+            std::snprintf(range, sizeof(range),
+                          largest > least ? " %.4g to %.4g" : " %.4g",
+                          double(least), double(largest));
+            Info << ", " << c.name << range;
         }
         ++k;
     }

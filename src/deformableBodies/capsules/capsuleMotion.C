@@ -187,7 +187,7 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
             const auto timing(scene_.effects.time("nearField"));
             if (c.onFluid.empty())
             {
-                forcesOnFluid(i, s.time - dt - 0.5 * c.lastDeltaT, F.data());
+                forcesOnFluid(i, s.time - dt, F.data());
                 loadOnFluid(F.cdata(), c.onFluid);
             }
             nearField_->add(c.x.data(), c.onFluid.data(), velocity.data());

@@ -206,29 +206,45 @@ Foam::bodyGroup::identity Foam::capsuleGroup::identify() const
             {"area", referenceArea_}};
 }
 
+// The step, then fields of coefficients, then which of those that not all capsules
+// have: 1 previous, 2 the lags, 4 what acts on the fluid
 Foam::scalarList Foam::capsuleGroup::state(const label i) const
 {
     const capsule& c = capsules_[i];
     DynamicList<scalar> s;
     s.append(c.lastDeltaT);
     for (const numbers* v :
-         {&c.x, &c.velocity, &c.previous, &c.lag, &c.lagBefore})
+         {&c.x, &c.velocity, &c.previous, &c.lag, &c.lagBefore, &c.onFluid})
     {
         s.append(UList<scalar>(const_cast<double*>(v->data()), v->size()));
     }
+    s.append(scalar((c.previous.empty() ? 0 : 1) + (c.lag.empty() ? 0 : 2) +
+                    (c.onFluid.empty() ? 0 : 4)));
     return scalarList(std::move(s));
+}
+
+// States of earlier versions end without that number
+Foam::label Foam::capsuleGroup::partsOf(const scalarList& state) const
+{
+    const label n = initial_.size(), size = state.size() - 1;
+    if (size == 2 * n) return 0;
+    if (size == 3 * n) return 1;
+    if (size == 4 * n) return 2;
+    const label parts = label(state[size]);
+    const label nParts = 2 + (parts & 1) + (parts & 2) + (parts & 4) / 4;
+    return parts >= 0 && parts < 8 && size == 1 + nParts * n ? parts : -1;
 }
 
 Foam::point Foam::capsuleGroup::centreOf(const scalarList& state,
                                          const label body,
                                          const dictionary& source) const
 {
-    const label n = initial_.size(), nParts = (state.size() - 1) / n;
-    if (state.size() != 1 + nParts * n || nParts < 2 || nParts > 4)
+    if (partsOf(state) < 0)
     {
         FatalIOErrorInFunction(source)
             << "the saved state of body " << body << " of group " << name()
-            << " has " << state.size() << " numbers where " << 1 + 2 * n
+            << " has " << state.size() << " numbers where "
+            << 2 + 2 * initial_.size()
             << " belong to its harmonics: was the entry harmonics changed?"
             << exit(FatalIOError);
     }
@@ -240,21 +256,21 @@ void Foam::capsuleGroup::setState(const label i, const scalarList& state,
                                   const dictionary& source)
 {
     capsule& c = capsules_[i];
-    const label n = c.x.size();
-    const label nParts = (state.size() - 1) / n;
     centreOf(state, mine()[i], source);
     c.lastDeltaT = state[0];
-    const auto begin = state.cdata() + 1;
-    c.x.assign(begin, begin + n);
+    const label parts = partsOf(state);
+    const scalar* at = state.cdata() + 1;
+    const auto read = [&](const bool there, const bool wanted, numbers& v)
+    {
+        if (!there) return;
+        if (wanted) v.assign(at, at + c.x.size());
+        at += c.x.size();
+    };
+    read(true, true, c.x);
+    read(true, true, c.velocity);
+    read(parts & 1, bool(stabilised_), c.previous);
+    read(parts & 2, bool(penalty_), c.lag);
+    read(parts & 2, bool(penalty_), c.lagBefore);
+    read(parts & 4, bool(nearField_), c.onFluid);
     c.xMid = c.x;
-    c.velocity.assign(begin + n, begin + 2 * n);
-    if (stabilised_ && nParts == 3)
-    {
-        c.previous.assign(begin + 2 * n, begin + 3 * n);
-    }
-    if (penalty_ && nParts == 4)
-    {
-        c.lag.assign(begin + 2 * n, begin + 3 * n);
-        c.lagBefore.assign(begin + 3 * n, begin + 4 * n);
-    }
 }

@@ -111,10 +111,10 @@ void savedShape(const dictionary& dict, const sphericalHarmonics& grid,
         refuseState("a body " + Foam::name(body) + " in group " + group);
     }
 
-    // The last step, then 2, 3 or 4 sets of coefficients: only one of these
-    // makes (N + 1)^2 a square
-    const label numbers = states[body].size() - 1;
-    for (label sets = 2; sets <= 4; ++sets)
+    // The last step, then 2 to 5 sets of coefficients, of which only one makes
+    // (N + 1)^2 a square, then (or not) a number that says which they are
+    const label numbers = (states[body].size() - 1) / 3 * 3;
+    for (label sets = 2; sets <= 5; ++sets)
     {
         const label N =
             label(std::lround(std::sqrt(numbers / (3.0 * sets)))) - 1;
