@@ -209,7 +209,8 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                          : "loads act on the fluid");
     readViscosityRatios(transport);
     effects_.declare("interactions", false, "none given");
-    effects_.declare("places", true, "bodies that leave the box or come close");
+    effects_.declare("places", true,
+                     "bodies that leave their block or the box, or come close");
     readLoads(dict.subOrEmptyDict("loads"));
 }
 

@@ -75,6 +75,7 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
         return;
     }
 
+    const auto rest(effects_.time("places"));
     ownership_->migrate(groups_);
     const labelList groups(groupsThat(false));
     if (sampleDue()) observe(u);

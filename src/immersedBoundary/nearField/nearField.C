@@ -195,7 +195,8 @@ void Foam::nearField::fit()
 }
 
 template<class Lanes>
-void Foam::nearField::evaluate(const Lanes& s, Lanes& A, Lanes& C) const
+inline __attribute__((always_inline)) void
+Foam::nearField::evaluate(const Lanes& s, Lanes& A, Lanes& C) const
 {
     const Lanes t = 1 / (1 + s * (1 / c_));
     const auto sum = [](const coefficients& a, const int begin, const int end,
