@@ -9,7 +9,7 @@ namespace
 {
 // Up to where the near field was measured to be better than none
 // (tests/validation/nearField)
-const Foam::scalar maxInertia = 1, maxViscosityRatio = 2;
+const Foam::scalar maxInertia = 1.3, maxViscosityRatio = 2;
 } // namespace
 
 void Foam::capsuleGroup::setMotion(const dictionary& dict)
