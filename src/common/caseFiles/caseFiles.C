@@ -199,7 +199,13 @@ void Foam::requireBrackets(const IOobject& io, const word& className)
 {
     const fileName file(fileHandler().filePath(true, io, className));
     string wrong;
-    if (Pstream::master()) wrong = wrongBrackets(textOf(file));
+    if (Pstream::master())
+    {
+        // Numbers in binary may look like brackets
+        const std::string text(textOf(file));
+        const std::string header(text.substr(0, text.find('}')));
+        if (header.find("binary;") == string::npos) wrong = wrongBrackets(text);
+    }
     Pstream::scatter(wrong);
     if (wrong.empty()) return;
 

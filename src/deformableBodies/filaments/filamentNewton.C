@@ -111,9 +111,9 @@ void Foam::filamentNewton<Lanes>::addInertia()
         V_[i] = X_[i].colwise() * c0_ + pastV_[i];
         R_[i] =
             w * (all.mass * (V_[i].colwise() * c0_ + pastA_[i]) - force_[i]);
-        for (direction d = 0; d < 3 && fresh_; ++d)
+        for (direction d = 0; d < 3 && assembles_; ++d)
         {
-            A_(4 * i + d, 4 * i + d) += w * all.mass * c0_.square();
+            newA_(4 * i + d, 4 * i + d) += w * all.mass * c0_.square();
         }
     }
 }
@@ -131,7 +131,7 @@ void Foam::filamentNewton<Lanes>::addDrag()
         F.colwise() *= p.drag;
         R_[i] += share[0] * F;
         R_[i + 1] += share[1] * F;
-        for (direction d = 0; d < 3 && fresh_; ++d)
+        for (direction d = 0; d < 3 && assembles_; ++d)
         {
             for (direction e = 0; e < 3; ++e)
             {
@@ -143,7 +143,7 @@ void Foam::filamentNewton<Lanes>::addDrag()
                 {
                     for (int b = 0; b < 2; ++b)
                     {
-                        A_(4 * (i + a) + d, 4 * (i + b) + e) +=
+                        newA_(4 * (i + a) + d, 4 * (i + b) + e) +=
                             share[a] * share[b] * D;
                     }
                 }
@@ -169,11 +169,11 @@ void Foam::filamentNewton<Lanes>::addBending()
             for (int a = 0; a < 3; ++a)
             {
                 R_[at[a]] += w * factor[a] * force;
-                for (int b = 0; b < 3 && fresh_; ++b)
+                for (int b = 0; b < 3 && assembles_; ++b)
                 {
                     for (direction d = 0; d < 3; ++d)
                     {
-                        A_(4 * at[a] + d, 4 * at[b] + d) +=
+                        newA_(4 * at[a] + d, 4 * at[b] + d) +=
                             w * factor[a] * factor[b];
                     }
                 }
@@ -198,15 +198,15 @@ void Foam::filamentNewton<Lanes>::addTension()
         }
         R_[i] -= pull;
         R_[i + 1] += pull;
-        for (direction d = 0; d < 3 && fresh_; ++d)
+        for (direction d = 0; d < 3 && assembles_; ++d)
         {
             const label a = 4 * i + d, b = a + 4, k = 4 * i + 3;
-            A_(a, a) += answer;
-            A_(b, b) += answer;
-            A_(a, b) -= answer;
-            A_(b, a) -= answer;
-            A_(b, k) = A_(k, b) = unit_ * t.col(d);
-            A_(a, k) = A_(k, a) = -A_(b, k);
+            newA_(a, a) += answer;
+            newA_(b, b) += answer;
+            newA_(a, b) -= answer;
+            newA_(b, a) -= answer;
+            newA_(b, k) = newA_(k, b) = unit_ * t.col(d);
+            newA_(a, k) = newA_(k, a) = -newA_(b, k);
         }
         change_[4 * i + 3] = -0.5 * ds * unit_ * (dot(t, t) - 1);
     }
@@ -224,12 +224,12 @@ void Foam::filamentNewton<Lanes>::hold()
         {
             const label a = 4 * i + d;
             change_[a] = held ? lanes(lanes::Zero()) : lanes(-R_[i].col(d));
-            if (!held || !fresh_) continue;
+            if (!held || !assembles_) continue;
             for (label j = max(label(0), a - 8); j <= min(n - 1, a + 8); ++j)
             {
-                A_(a, j) = lanes::Zero();
+                newA_(a, j) = lanes::Zero();
             }
-            A_(a, a) = unit_;
+            newA_(a, a) = unit_;
         }
     }
 }
@@ -237,7 +237,8 @@ void Foam::filamentNewton<Lanes>::hold()
 template<int Lanes>
 void Foam::filamentNewton<Lanes>::assemble()
 {
-    if (fresh_) A_.clear(4 * N_ + 3);
+    assembles_ = fresh_.any();
+    if (assembles_) newA_.clear(4 * N_ + 3);
     addInertia();
     addDrag();
     addBending();
@@ -254,7 +255,7 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
     // Work space of all filaments
     static filamentNewton<Lanes> x;
     x.load(dt, lines, around, n);
-    x.fresh_ = true;
+    x.fresh_.setConstant(true);
 
     const filament::properties& all = *lines[0]->all_;
     const scalar ds = all.ds();
@@ -271,13 +272,17 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
             if (going[l]) ++lines[l]->iterations_;
         }
         x.assemble();
-        if (x.fresh_)
+        if (x.assembles_)
         {
-            const std::array<bool, Lanes> regular = x.A_.factor();
+            const std::array<bool, Lanes> regular = x.newA_.factor();
             for (int l = 0; l < Lanes; ++l)
             {
-                going[l] = going[l] && regular[l];
+                going[l] = going[l] && (regular[l] || !x.fresh_[l]);
             }
+            if (x.fresh_.all())
+                std::swap(x.A_, x.newA_);
+            else
+                x.A_.take(x.newA_, x.fresh_.data());
         }
         x.A_.solve(x.change_);
 
@@ -310,11 +315,11 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
         // of its own, else that change times the rate of convergence
         const lanes change = largest / sqr(ds);
         const mask converged =
-            x.fresh_ ? mask(change < 1e-12)
-                     : mask(change * (largest / before).min(scalar(1)) < 1e-24);
+            (x.fresh_ && change < 1e-12) ||
+            (!x.fresh_ && change * (largest / before).min(scalar(1)) < 1e-24);
         done = done || (going && converged);
         going = going && !done;
-        x.fresh_ = (going && largest > 0.01 * before).any();
+        x.fresh_ = going && largest > 0.01 * before;
         before = largest.max(sqr(1e-15 * ds));
     }
 
