@@ -61,7 +61,6 @@ int main(int argc, char* argv[])
     #include "createControl.H"
     #include "createTimeControls.H"
     #include "initContinuityErrs.H"
-    bodyCollection::limitsDeltaT = true;
     #include "createFields.H"
     #include "createBodies.H"
     #include "createFvOptions.H"

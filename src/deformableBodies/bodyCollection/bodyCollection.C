@@ -293,8 +293,6 @@ bool Foam::bodyCollection::stiff() const
     return any;
 }
 
-bool Foam::bodyCollection::limitsDeltaT = false;
-
 bool Foam::bodyCollection::adjusted() const
 {
     return mesh_.time().controlDict().getOrDefault<bool>("adjustTimeStep",
@@ -306,7 +304,7 @@ Foam::scalar Foam::bodyCollection::expectedDeltaT() const
 {
     if (!adjusted()) return mesh_.time().deltaTValue();
     return mesh_.time().controlDict().getOrDefault<scalar>(
-        "maxDeltaT", limitsDeltaT ? 0 : GREAT);
+        "maxDeltaT", solverBalances_ ? 0 : GREAT);
 }
 
 Foam::scalar Foam::bodyCollection::maxDeltaT(string* reason) const

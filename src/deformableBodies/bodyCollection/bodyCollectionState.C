@@ -62,35 +62,18 @@ void Foam::bodyCollection::sample()
 
 void Foam::bodyCollection::stop()
 {
-    List<string> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = trouble_;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-
     Time& time = const_cast<Time&>(mesh_.time());
     Info << "Writing the state before the stop" << endl;
     time.writeNow();
-    for (const string& trouble : all)
-    {
-        if (!trouble.empty() && outside_)
-        {
-            FatalErrorInFunction
-                << "a body left the box at time " << time.timeName() << ": "
-                << trouble.c_str() << nl
-                << "    What it looked like has been written to time "
-                << time.timeName() << "; with outside remove; in its group the "
-                << "run goes on from there without it" << exit(FatalError);
-        }
-        if (!trouble.empty())
-        {
-            FatalErrorInFunction
-                << "a body diverged at time " << time.timeName() << ": "
-                << trouble.c_str() << nl
-                << "    What it looked like has been written to time "
-                << time.timeName() << "; go on from an earlier time with a "
-                << "smaller deltaT" << exit(FatalError);
-        }
-    }
+    FatalErrorInFunction
+        << "a body " << (outside_ ? "left the box" : "diverged") << " at time "
+        << time.timeName() << ": " << firstOf(trouble_).c_str() << nl
+        << "    What it looked like has been written to time "
+        << time.timeName()
+        << (outside_ ? "; with outside remove; in its group the run goes on "
+                       "from there without it"
+                     : "; go on from an earlier time with a smaller deltaT")
+        << exit(FatalError);
 }
 
 bool Foam::bodyCollection::writeData(Ostream& os) const

@@ -30,8 +30,8 @@ Foam::bodyAccuracy Foam::readAccuracy(const dictionary& dict)
 
 bool Foam::removesOutside(const dictionary& dict, const bool otherwise)
 {
-    return readEnum(Enum<int>({{0, "stop"}, {1, "remove"}}), dict, "outside",
-                    int(otherwise));
+    return readEnum(Enum<bool>({{false, "stop"}, {true, "remove"}}), dict,
+                    "outside", otherwise);
 }
 
 Foam::bodyGroup::bodyGroup(const word& name, const dictionary& dict,

@@ -3,6 +3,7 @@
 // Bodies that lie in one place at the start
 
 #include "bodyPlaces.H"
+#include "dictionaryChecks.H"
 #include "mathematicalConstants.H"
 #include <unordered_map>
 
@@ -129,15 +130,16 @@ void Foam::bodyPlaces::checkStart(const dictionary& dict) const
         const bodyGroup& group = groups_[g];
         if (!returnReduce(group.startsAfresh(), orOp<bool>())) continue;
         scalar radius = 0;
+        bool alike = false; // capsules of a group are
         for (label body = 0; body < group.nBodies(); ++body)
         {
             const point centre(group.initialCentre(body));
-            // Capsules of a group are alike
-            if (body == 0 || !group.initialPoints(0).isSurface())
+            if (!alike)
             {
                 const bodyPoints p(group.initialPoints(body));
                 radius = std::sqrt(max(magSqr(p.places - centre)));
                 radius += std::sqrt(p.crossSection);
+                alike = p.isSurface();
             }
             bodies.append(startingBody{g, body, centre, radius});
             largest = max(largest, radius);
@@ -243,16 +245,6 @@ void Foam::bodyPlaces::checkStart(const dictionary& dict) const
         }
     }
 
-    const auto firstOf = [](const string& own)
-    {
-        List<string> all(gathered(own));
-        Pstream::scatterList(all);
-        for (const string& s : all)
-        {
-            if (!s.empty()) return s;
-        }
-        return string();
-    };
     reduce(nWarnings, sumOp<label>());
     if (nWarnings)
     {

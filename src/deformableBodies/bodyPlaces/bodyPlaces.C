@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "bodyPlaces.H"
+#include "dictionaryChecks.H"
 #include "processorPolyPatch.H"
 #include "Time.H"
 
@@ -80,14 +81,6 @@ Foam::label Foam::bodyPlaces::pairOf(const label g, const label h) const
     return a * (a + 1) / 2 + b;
 }
 
-Foam::List<Foam::string> Foam::bodyPlaces::gathered(const string& own)
-{
-    List<string> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = own;
-    Pstream::gatherList(all);
-    return all;
-}
-
 Foam::string Foam::bodyPlaces::through(const boundBox& bounds,
                                        const scalar cells) const
 {
@@ -150,7 +143,10 @@ Foam::string Foam::bodyPlaces::removeOutside()
     }
     if (returnReduce(!removed.empty(), orOp<bool>()))
     {
-        for (const string& lines : gathered(removed))
+        List<string> all(Pstream::nProcs());
+        all[Pstream::myProcNo()] = removed;
+        Pstream::gatherList(all);
+        for (const string& lines : all)
         {
             Info << lines.c_str();
         }
@@ -174,18 +170,13 @@ void Foam::bodyPlaces::warnOfWalls()
         }
         wallNamed_[g] = returnReduce(!near.empty(), orOp<bool>());
         if (!wallNamed_[g]) continue;
-        for (const string& sentence : gathered(near))
-        {
-            if (sentence.empty()) continue;
-            WarningInFunction
-                << sentence.c_str() << ", at time " << time_.timeName() << nl
-                << "    The force of a fibre is spread over 1.5 cells to "
-                   "either "
-                << "side, and the wall cuts this off: drag and slip are wrong "
-                << "there. Keep fibres a cell from walls, or use smaller cells"
-                << endl;
-            break;
-        }
+        near = firstOf(near);
+        WarningInFunction
+            << near.c_str() << ", at time " << time_.timeName() << nl
+            << "    The force of a fibre is spread over 1.5 cells to either "
+            << "side, and the wall cuts this off: drag and slip are wrong "
+            << "there. Keep fibres a cell from walls, or use smaller cells"
+            << endl;
     }
 }
 
@@ -276,16 +267,11 @@ void Foam::bodyPlaces::warnOfClose()
                << e.distance << " cells apart at " << e.at;
             sentence = os.str();
         }
-        for (const string& s : gathered(sentence))
-        {
-            if (s.empty()) continue;
-            WarningInFunction
-                << s.c_str() << ", at time " << time_.timeName() << nl
-                << "    Below 1.5 cells the fluid between bodies is not "
-                << "resolved, and nothing keeps them apart (said once for "
-                   "these "
-                << "groups)" << endl;
-            break;
-        }
+        sentence = firstOf(sentence);
+        WarningInFunction
+            << sentence.c_str() << ", at time " << time_.timeName() << nl
+            << "    Below 1.5 cells the fluid between bodies is not "
+            << "resolved, and nothing keeps them apart (said once for these "
+            << "groups)" << endl;
     }
 }

@@ -145,28 +145,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     }
     setMotion(dict);
     setNearField(dict, extent);
-    const scalar strength = dict.getOrDefault<scalar>("filter", 0);
-    if (strength < 0)
-    {
-        refuse(dict, "filter", Foam::name(strength), "0 and greater");
-    }
-    if (strength > 0)
-    {
-        filter_.resize(coeffs_.size());
-        for (label n = 0; n <= degree; ++n)
-        {
-            const double f =
-                std::exp(-strength * std::pow(double(n) / degree, 8));
-            for (label m = 0; m <= n; ++m)
-            {
-                for (direction d = 0; d < 3; ++d)
-                {
-                    filter_[3 * markerGrid_->index(n, m, false) + d] = f;
-                    if (m) filter_[3 * markerGrid_->index(n, m, true) + d] = f;
-                }
-            }
-        }
-    }
+    setFilter(dict);
 
     if (degree > moved)
     {
@@ -196,6 +175,31 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     scene_.effects.declare("gravity", heavy,
                            heavy ? "weight of the filling"
                                  : "none on the bodies");
+}
+
+void Foam::capsuleGroup::setFilter(const dictionary& dict)
+{
+    const scalar strength = dict.getOrDefault<scalar>("filter", 0);
+    if (strength < 0)
+    {
+        refuse(dict, "filter", Foam::name(strength), "0 and greater");
+    }
+    if (strength == 0) return;
+
+    const label degree = markerGrid_->degree();
+    filter_.resize(coeffs_.size());
+    for (label n = 0; n <= degree; ++n)
+    {
+        const double f = std::exp(-strength * std::pow(double(n) / degree, 8));
+        for (label m = 0; m <= n; ++m)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                filter_[3 * markerGrid_->index(n, m, false) + d] = f;
+                if (m) filter_[3 * markerGrid_->index(n, m, true) + d] = f;
+            }
+        }
+    }
 }
 
 // The kernel filters waves below some 2.6 cells, 2 pi a/N = 2.6 h
@@ -354,141 +358,7 @@ void Foam::capsuleGroup::checkStart(const label i, const dictionary& dict) const
     checkWalls(dict, body, bounds);
 }
 
-Foam::label Foam::capsuleGroup::nMarkers() const
-{
-    return label(capsules_.size()) * markerGrid_->nPoints();
-}
-
-void Foam::capsuleGroup::atMarkers(const numbers& coeffs, vector* v,
-                                   const scalar factor) const
-{
-    const label n = markerGrid_->nPoints();
-    markerGrid_->values(coeffs.data(), onMarkers_.data());
-    for (label k = 0; k < n; ++k)
-    {
-        v[k] = factor *
-               vector(onMarkers_[k], onMarkers_[n + k], onMarkers_[2 * n + k]);
-    }
-}
-
-void Foam::capsuleGroup::markers(vector* X, scalar)
-{
-    for (const capsule& c : capsules_)
-    {
-        atMarkers(c.x, X, 1);
-        X += markerGrid_->nPoints();
-    }
-}
-
-void Foam::capsuleGroup::areas(const numbers& coeffs, vector* dS) const
-{
-    const label n = markerGrid_->nPoints();
-    numbers t(3 * n), p(3 * n);
-    markerGrid_->gradient(coeffs.data(), t.data(), p.data());
-    for (label k = 0; k < n; ++k)
-    {
-        const vector xt(t[k], t[n + k], t[2 * n + k]);
-        const vector xp(p[k], p[n + k], p[2 * n + k]);
-        dS[k] = markerGrid_->weight(k) * (xt ^ xp);
-    }
-}
-
-void Foam::capsuleGroup::areas(vector* dS) const
-{
-    for (const capsule& c : capsules_)
-    {
-        areas(c.x, dS);
-        dS += markerGrid_->nPoints();
-    }
-}
-
 Foam::scalar Foam::capsuleGroup::volume() const
 {
     return capsules_.size() * referenceVolume_;
-}
-
-void Foam::capsuleGroup::load(const numbers& x, numbers& q) const
-{
-    membrane_->load(x.data(), q.data());
-    if (bending_)
-    {
-        const auto timing(scene_.effects.time("bending"));
-        bending_->addLoad(x.data(), q.data());
-    }
-}
-
-Foam::bodyPoints Foam::capsuleGroup::pointsOf(const label body,
-                                              const numbers& x,
-                                              const numbers& velocity) const
-{
-    const label n = markerGrid_->nPoints();
-    bodyPoints p{name(),
-                 body,
-                 vectorField(n),
-                 vectorField(n),
-                 vectorField(n),
-                 scalarField(),
-                 0,
-                 membrane_->model().shearModulus()};
-    atMarkers(x, p.places.data(), 1);
-    atMarkers(velocity, p.velocities.data(), 1);
-    areas(x, p.areas.data());
-    return p;
-}
-
-Foam::bodyPoints Foam::capsuleGroup::points(const label i) const
-{
-    if (i < 0) return pointsOf(-1, initial_, numbers(initial_.size(), 0));
-    return pointsOf(mine()[i], capsules_[i].xMid, capsules_[i].velocity);
-}
-
-void Foam::capsuleGroup::loads(vector* X, vector* F, const scalar time)
-{
-    const auto timing(scene_.effects.time("membrane"));
-    const label n = markerGrid_->nPoints();
-    forAll(mine(), i)
-    {
-        capsule& c = capsules_[i];
-        atMarkers(c.xMid, X, 1);
-        forcesOnFluid(i, time, F);
-        if (nearField_) loadOnFluid(F, c.onFluid);
-        X += n;
-        F += n;
-    }
-}
-
-void Foam::capsuleGroup::forcesOnFluid(const label i, const scalar time,
-                                       vector* F)
-{
-    const capsule& c = capsules_[i];
-    if (penalty_)
-        coeffs_ = c.load;
-    else
-        load(c.xMid, coeffs_);
-    atMarkers(coeffs_, F, -1);
-    const label n = markerGrid_->nPoints();
-    for (label k = 0; k < n; ++k)
-    {
-        F[k] *= markerGrid_->weight(k);
-    }
-    if (!scene_.forces.actOn(name())) return;
-    const vectorField more(scene_.forces.on(points(i), time, scene_.effects));
-    for (label k = 0; k < n; ++k)
-    {
-        F[k] += more[k];
-    }
-}
-
-void Foam::capsuleGroup::loadOnFluid(const vector* F, numbers& q) const
-{
-    const label n = markerGrid_->nPoints();
-    q.resize(coeffs_.size());
-    for (label k = 0; k < n; ++k)
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            onMarkers_[d * n + k] = F[k][d] / markerGrid_->weight(k);
-        }
-    }
-    markerGrid_->analysis(onMarkers_.data(), q.data());
 }
