@@ -10,13 +10,17 @@
 // multiplied by (1 + x + 4/3 x^3) e^(-x), x = (k d)^2/4: it is summed over the
 // same wave vectors and, without images, known in closed form.
 
+#include "capsuleNearField.H"
 #include "markerSet.H"
 #include "mathematicalConstants.H"
 #include "nearField.H"
-#include "unitTest.H"
+#include "testShapes.H"
 #include <array>
 #include <complex>
+#include <Eigen/Eigenvalues>
 #include <fftw3.h>
+#include <fstream>
+#include <map>
 
 using namespace Foam;
 
@@ -231,5 +235,122 @@ TEST(MeshMobility, DISABLED_table)
         test::expectBelow(deltaKernel::names[kernel] +
                               ": G_h and what is added, against that of Roma3",
                           max(mag(whole - sum)), 4e-3);
+    }
+}
+
+// The velocity of a surface by G_h and the near field as a matrix over coefficients
+// of load and velocity: its eigenvalues must not be negative, or waves of the load
+// would grow. G_h comes from table.csv in the case
+TEST(MeshMobility, DISABLED_positive)
+{
+    std::map<std::string, std::vector<std::array<double, 3>>> tables;
+    std::ifstream file("table.csv");
+    for (std::string line; std::getline(file, line);)
+    {
+        char kernel[20];
+        std::array<double, 3> row;
+        if (std::sscanf(line.c_str(), "%19[^,],%lf,%lf,%lf", kernel, &row[0],
+                        &row[1], &row[2]) == 4)
+        {
+            tables[kernel].push_back(row);
+        }
+    }
+    ASSERT_EQ(tables.size(), 2u);
+
+    const int N = 8;
+    const double cells = 4; // a/h
+    const sphericalHarmonics grid(N, 24);
+    const int n = grid.nPoints(), nCoeffs = 3 * grid.nCoeffs();
+    const std::pair<const char*, test::numbers> shapes[] = {
+        {"sphere", test::sphere(N)},
+        {"D = 0.6",
+         test::shape(N, [](const vector& e)
+                     { return vector(2 * e.x(), 0.5 * e.y(), e.z()); })},
+        {"rough", test::roughShape(N)}};
+    for (const auto kernel : {deltaKernel::Roma3, deltaKernel::Peskin4})
+    {
+        const auto& table = tables[deltaKernel::names[kernel]];
+        const auto G = [&](const double q, double& A, double& B)
+        {
+            if (q >= 10)
+            {
+                A = B = 1 / q;
+                return;
+            }
+            size_t i = 1;
+            while (table[i][0] < q)
+                ++i;
+            const auto &a = table[i - 1], &b = table[i];
+            const double x = (q - a[0]) / (b[0] - a[0]);
+            // Far away the rows are wide apart: what is linear is q A
+            const double qa = a[0] < 3.5 ? 1 : a[0], qb = a[0] < 3.5 ? 1 : b[0];
+            const double scale = a[0] < 3.5 ? 1 : 1 / q;
+            A = scale * ((1 - x) * qa * a[1] + x * qb * b[1]);
+            B = scale * ((1 - x) * qa * a[2] + x * qb * b[2]);
+        };
+        for (const auto& s : shapes)
+        {
+            const test::numbers& x = s.second;
+            test::numbers X(3 * n), f(3 * n), c(nCoeffs);
+            grid.values(x.data(), X.data());
+
+            // Between points; then between coefficients, from both sides
+            Eigen::MatrixXd between(3 * n, 3 * n);
+            for (int i = 0; i < n; ++i)
+            {
+                for (int j = 0; j < n; ++j)
+                {
+                    const vector r(cells * (vector(test::at(X, n, i)) -
+                                            test::at(X, n, j)));
+                    double A, B;
+                    G(mag(r), A, B);
+                    B /= max(magSqr(r), 1e-12);
+                    for (int d = 0; d < 3; ++d)
+                    {
+                        for (int e = 0; e < 3; ++e)
+                        {
+                            between(d * n + i, e * n + j) =
+                                grid.weight(i) * grid.weight(j) * cells *
+                                ((d == e ? A : 0) + B * r[d] * r[e]) / (8 * pi);
+                        }
+                    }
+                }
+            }
+            Eigen::MatrixXd half(nCoeffs, 3 * n), mesh(nCoeffs, nCoeffs);
+            for (int k = 0; k < 3 * n; ++k)
+            {
+                const Eigen::VectorXd column(between.col(k));
+                grid.valuesAdjoint(column.data(), half.col(k).data());
+            }
+            for (int k = 0; k < nCoeffs; ++k)
+            {
+                const Eigen::VectorXd row(half.row(k).transpose());
+                grid.valuesAdjoint(row.data(), mesh.col(k).data());
+            }
+            const capsuleNearField near(N, kernel, 1 / cells, 1, 1);
+            Eigen::MatrixXd both(mesh);
+            for (int k = 0; k < nCoeffs; ++k)
+            {
+                std::fill(c.begin(), c.end(), 0);
+                c[k] = 1;
+                near.add(x.data(), c.data(), both.col(k).data());
+            }
+            const auto eigenvalues = [](const Eigen::MatrixXd& m)
+            {
+                return Eigen::VectorXd(
+                    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+                        0.5 * (m + m.transpose()), Eigen::EigenvaluesOnly)
+                        .eigenvalues());
+            };
+            const Eigen::VectorXd without(eigenvalues(mesh));
+            const Eigen::VectorXd with(eigenvalues(both));
+            const std::string what(deltaKernel::names[kernel] + ", " + s.first);
+            std::printf("    %s: smallest and largest eigenvalue without %.2e "
+                        "%.3f, with %.2e %.3f\n",
+                        what.c_str(), without[0], without[nCoeffs - 1], with[0],
+                        with[nCoeffs - 1]);
+            test::expectBelow(what + ": most negative over the largest",
+                              -with[0] / with[nCoeffs - 1], 2e-3);
+        }
     }
 }
