@@ -69,7 +69,8 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
     requireTimeSteps();
     read(dict);
     readState(dict);
-    places_.reset(new bodyPlaces(mesh, groups_, *markers_));
+    places_.reset(
+        new bodyPlaces(mesh, groups_, *markers_, interactions_.get()));
     places_->checkStart(dict);
     forceField_.reset(new bodyForceField(mesh, *this));
     const bool wrap = dict.getOrDefault<bool>("wrap", false);
@@ -130,12 +131,6 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     checkEntries(dict, {"FoamFile", "variables", "bodies", "sampleInterval",
                         "accuracy", "kernel", "coupling", "interactions",
                         "loads", "wrap", "restart", "removed", "outside"});
-
-    if (!dict.subOrEmptyDict("interactions").empty())
-    {
-        refuse(dict, "interactions", "{...}",
-               "an empty one; not available yet");
-    }
 
     const IOdictionary transport(
         IOobject("transportProperties", mesh_.time().constant(), mesh_,
@@ -208,7 +203,15 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                            "nothing holds in a box without walls"
                          : "loads act on the fluid");
     readViscosityRatios(transport);
-    effects_.declare("interactions", false, "none given");
+    const dictionary interactions(dict.subOrEmptyDict("interactions"));
+    effects_.declare("interactions", !interactions.empty(),
+                     interactions.empty() ? "none given"
+                                          : "bodies that come close");
+    if (!interactions.empty())
+    {
+        interactions_.reset(
+            new bodyInteractions(interactions, mesh_, groups_, scene));
+    }
     effects_.declare("places", true,
                      "bodies that leave their block or the box, or come close");
     readLoads(dict.subOrEmptyDict("loads"));

@@ -88,6 +88,7 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
     if (contrast_) updateViscosity(groups, force);
     move(groups, false, 1);
     if (diverged_) return;
+    if (interactions_) interactions_->update();
 
     force.clear();
     const vectorField X(collectLoads(groups));
@@ -208,6 +209,12 @@ void Foam::bodyCollection::move(const labelList& groups, const bool predicted,
         lineDensity += groups_[g].nMarkers();
     }
     diverged_ = diverged_ || returnReduce(!trouble_.empty(), orOp<bool>());
+
+    // Bodies go with the fluid, by what it did in this step and the last
+    if (interactions_ && U_.size())
+    {
+        interactions_->travel(1.5 * time.deltaTValue() * max(mag(U_)));
+    }
 }
 
 Foam::vectorField Foam::bodyCollection::collectLoads(const labelList& groups)

@@ -58,6 +58,7 @@ void Foam::bodyCollection::sample()
     }
     lastSampled_ = time.timeIndex();
     writer_->sample(time.value());
+    if (interactions_) interactions_->sample();
 }
 
 void Foam::bodyCollection::stop()

@@ -6,7 +6,8 @@
 #include "Time.H"
 
 Foam::bodyPlaces::bodyPlaces(const fvMesh& mesh, PtrList<bodyGroup>& groups,
-                             markerSet& markers)
+                             markerSet& markers,
+                             const bodyInteractions* interactions)
     : time_(mesh.time()),
       grid_(uniformGrid::New(mesh)),
       groups_(groups),
@@ -68,9 +69,10 @@ Foam::bodyPlaces::bodyPlaces(const fvMesh& mesh, PtrList<bodyGroup>& groups,
         for (label h = 0; h <= g; ++h)
         {
             // Others share no force through the fluid
-            pairNamed_[pairOf(g, h)] = !groups_[g].twoWay() ||
-                                       !groups_[h].twoWay() ||
-                                       (g == h && groups_[g].nBodies() < 2);
+            pairNamed_[pairOf(g, h)] =
+                !groups_[g].twoWay() || !groups_[h].twoWay() ||
+                (g == h && groups_[g].nBodies() < 2) ||
+                (interactions && interactions->actBetween(g, h));
         }
     }
 }

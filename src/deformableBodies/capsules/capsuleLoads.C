@@ -116,7 +116,7 @@ void Foam::capsuleGroup::forcesOnFluid(const label i, const scalar time,
     {
         F[k] *= markerGrid_->weight(k);
     }
-    if (!scene_.forces.actOn(name())) return;
+    if (!scene_.forces.actOn(name(), mine()[i])) return;
     const vectorField more(scene_.forces.on(points(i), time, scene_.effects));
     for (label k = 0; k < n; ++k)
     {

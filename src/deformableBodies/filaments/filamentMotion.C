@@ -121,7 +121,7 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
     body& x = bodies_[i];
     const label n = points_.size();
     around.force = Zero;
-    if (scene_.forces.actOn(name()))
+    if (scene_.forces.actOn(name(), mine()[i]))
     {
         vectorField ahead;
         x.line.ahead(s.dt, ahead);

@@ -67,8 +67,16 @@ Foam::string Foam::staggeredFlow::unsupported(const volVectorField& U,
     reason = firstOf(reason);
     if (!reason.empty()) return reason;
 
+    // What the file says of conditions that compute their values may be old
+    volVectorField now(IOobject("wallVelocity", U.instance(), U.mesh(),
+                                IOobject::NO_READ, IOobject::NO_WRITE, false),
+                       U);
+    for (fvPatchVectorField& Ub : now.boundaryFieldRef())
+    {
+        if (!Ub.coupled()) Ub.evaluate();
+    }
     wallVelocities unused;
-    return readWalls(U, unused);
+    return readWalls(now, unused);
 }
 
 bool Foam::staggeredFlow::wallsLookAtFields() const

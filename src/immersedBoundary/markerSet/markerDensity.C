@@ -155,28 +155,23 @@ constexpr Foam::scalar Foam::markerSet::lineReach;
 
 Foam::scalarField Foam::markerSet::linesHere(const labelUList& line) const
 {
-    scalarField ids(2 * nOwn_);
+    scalarField ids(2 * size());
     forAll(line, k)
     {
         ids[2 * k] = line[k];
         ids[2 * k + 1] = k;
     }
-    return Pstream::parRun() ? handOut(ids.cdata(), 2) : ids;
-}
-
-bool Foam::markerSet::holds(const label k) const
-{
-    return !Pstream::parRun() || neighbours_.holder(X_[k]) == neighbours_.me();
+    return copies_.handOut(ids.cdata(), 2);
 }
 
 void Foam::markerSet::closeLines(const labelUList& line,
                                  const visitor& visit) const
 {
-    const markerBins bins(grid_, X_, linesHere(line));
-    forAll(X_, k)
+    const markerBins bins(grid_, X(), linesHere(line));
+    forAll(X(), k)
     {
         const markerBins::entry& e = bins[k];
-        if (e.line < 0 || !holds(k)) continue;
+        if (e.line < 0 || !copies_.holds(k)) continue;
         bins.eachNear(e,
                       [&](const markerBins::entry& other)
                       {
@@ -188,7 +183,7 @@ void Foam::markerSet::closeLines(const labelUList& line,
                           }
                           if (squares < sqr(lineReach))
                           {
-                              visit(e.line, other.line, X_[k],
+                              visit(e.line, other.line, X()[k],
                                     std::sqrt(squares));
                           }
                       });
@@ -202,15 +197,15 @@ void Foam::markerSet::lineDensity(const labelUList& line,
 {
     const label sameLine =
         4; // markers further apart in the list meet by chance
-    const markerBins bins(grid_, X_, linesHere(line));
+    const markerBins bins(grid_, X(), linesHere(line));
 
-    scalarField others(X_.size(), Zero);
+    scalarField others(X().size(), Zero);
     std::vector<std::pair<label, scalar>> touched; // line, largest share
-    forAll(X_, k)
+    forAll(X(), k)
     {
         // A marker's surroundings are known to the rank that holds its cell
         const markerBins::entry& e = bins[k];
-        if (e.line < 0 || !holds(k)) continue;
+        if (e.line < 0 || !copies_.holds(k)) continue;
         touched.clear();
         const auto touch = [&](const markerBins::entry& other)
         {
@@ -241,14 +236,7 @@ void Foam::markerSet::lineDensity(const labelUList& line,
         }
     }
 
-    density.setSize(nOwn_);
+    density.setSize(size());
     density = 1;
-    if (Pstream::parRun())
-    {
-        addUp(others, 1, density.data());
-    }
-    else
-    {
-        density += others;
-    }
+    copies_.addUp(others, 1, density.data());
 }

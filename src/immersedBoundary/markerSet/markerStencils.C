@@ -78,18 +78,18 @@ Foam::labelList Foam::markerSet::alongMemory() const
         return min(max(j, label(0)), box.size.y() - 1) / rows +
                perLayer * min(max(k, label(0)), box.size.z() - 1);
     };
-    labelList start(perLayer * box.size.z() + 1, Zero), in(X_.size());
-    forAll(X_, k)
+    labelList start(perLayer * box.size.z() + 1, Zero), in(X().size());
+    forAll(X(), k)
     {
-        in[k] = bucket(X_[k]);
+        in[k] = bucket(X()[k]);
         ++start[in[k] + 1];
     }
     for (label b = 1; b < start.size(); ++b)
     {
         start[b] += start[b - 1];
     }
-    labelList order(X_.size());
-    forAll(X_, k)
+    labelList order(X().size());
+    forAll(X(), k)
     {
         order[start[in[k]]++] = k;
     }
@@ -101,13 +101,13 @@ void Foam::markerSet::makeStencils()
     const label each = 6 * kernel_.nPoints();
     whole_.clear();
     cut_.clear();
-    wholeFirst_.resize(6 * X_.size() + 6);
-    wholeWeights_.resize(each * X_.size() + each);
-    if (X_.empty()) return;
+    wholeFirst_.resize(6 * X().size() + 6);
+    wholeWeights_.resize(each * X().size() + each);
+    if (X().empty()) return;
 
     for (const label k : alongMemory())
     {
-        if (makeWhole(X_[k], &wholeFirst_[6 * whole_.size()],
+        if (makeWhole(X()[k], &wholeFirst_[6 * whole_.size()],
                       &wholeWeights_[each * whole_.size()]))
         {
             whole_.push_back(k);
@@ -116,7 +116,7 @@ void Foam::markerSet::makeStencils()
         {
             cut_.emplace_back();
             cut_.back().marker = k;
-            makeCut(X_[k], cut_.back());
+            makeCut(X()[k], cut_.back());
         }
     }
 }

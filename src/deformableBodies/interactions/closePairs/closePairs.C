@@ -1,0 +1,212 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "closePairs.H"
+#include <algorithm>
+
+namespace
+{
+using namespace Foam;
+
+//- Layers of cells that a distance reaches over
+label layersOf(const uniformGrid& grid, const scalar distance)
+{
+    return label(std::ceil(distance / cmptMin(grid.h()))) + 1;
+}
+
+//- Numbers of bins along each direction, and the bin of a point
+class binning
+{
+    const uniformGrid& grid_;
+    label n_[3];
+
+    label wrapped(const label i, const direction d) const
+    {
+        return (i % n_[d] + n_[d]) % n_[d];
+    }
+
+public:
+    binning(const uniformGrid& grid, const scalar distance)
+        : grid_(grid)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            n_[d] = max(label(1), label(grid.length()[d] / distance));
+        }
+    }
+
+    label along(const vector& x, const direction d) const
+    {
+        const label i = label(
+            std::floor((x[d] - grid_.origin()[d]) / grid_.length()[d] * n_[d]));
+        return grid_.periodic(d) ? wrapped(i, d)
+                                 : min(max(i, label(0)), n_[d] - 1);
+    }
+
+    //- One number for a bin; those of neighbours in x follow each other
+    label number(const label i, const label j, const label k) const
+    {
+        return i + n_[0] * (j + n_[1] * k);
+    }
+
+    //- The bins along a direction next to bin i, each once
+    label next(const label i, const direction d, label* bins) const
+    {
+        label found = 0;
+        for (label b = i - 1; b <= i + 1; ++b)
+        {
+            if (!grid_.periodic(d) && (b < 0 || b >= n_[d])) continue;
+            const label w = wrapped(b, d);
+            if (std::find(bins, bins + found, w) == bins + found)
+            {
+                bins[found++] = w;
+            }
+        }
+        return found;
+    }
+};
+} // namespace
+
+Foam::closePairs::closePairs(const uniformGrid& grid, const scalar range)
+    : grid_(grid),
+      range_(range),
+      skin_(cmptMin(grid.h())),
+      neighbours_(grid),
+      points_(neighbours_, layersOf(grid, range + skin_))
+{
+}
+
+bool Foam::closePairs::outdated() const
+{
+    return returnReduce(travelled_ < 0 || travelled_ > 0.5 * skin_,
+                        orOp<bool>());
+}
+
+void Foam::closePairs::search(const vectorField& X, const labelList& body)
+{
+    points_.place(X);
+    {
+        scalarField own(body.size());
+        forAll(body, k)
+        {
+            own[k] = body[k];
+        }
+        const scalarField all(points_.handOut(own.cdata(), 1));
+        body_.setSize(all.size());
+        forAll(all, k)
+        {
+            body_[k] = label(all[k]);
+        }
+    }
+    pairs_.clear();
+    travelled_ = 0;
+    ++nSearches_;
+
+    const vectorField& x = here();
+    boolList held(x.size());
+    forAll(x, k)
+    {
+        held[k] = points_.holds(k);
+    }
+
+    // Points sorted by their bins; of each bin which points, and the body if all
+    // are of one
+    const scalar distance = range_ + skin_;
+    const binning bins(grid_, distance);
+    std::vector<std::pair<label, label>> sorted(x.size()); // bin, point
+    forAll(x, k)
+    {
+        sorted[k] = {bins.number(bins.along(x[k], 0), bins.along(x[k], 1),
+                                 bins.along(x[k], 2)),
+                     k};
+    }
+    std::sort(sorted.begin(), sorted.end());
+    struct content
+    {
+        label bin, first, last, onlyBody;
+    };
+    std::vector<content> contents;
+    for (const auto& p : sorted)
+    {
+        const label at = &p - sorted.data(), owner = body_[p.second];
+        if (contents.empty() || contents.back().bin != p.first)
+        {
+            contents.push_back({p.first, at, at, owner});
+        }
+        content& c = contents.back();
+        c.last = at + 1;
+        if (c.onlyBody != owner) c.onlyBody = -1;
+    }
+
+    const auto lower = [](const content& c, const label bin)
+    { return c.bin < bin; };
+    const auto pairsOf = [&](const content& c, const content& other)
+    {
+        if (c.onlyBody >= 0 && c.onlyBody == other.onlyBody) return;
+        for (label p = c.first; p < c.last; ++p)
+        {
+            const label a = sorted[p].second;
+            if (!held[a]) continue;
+            for (label q = other.first; q < other.last; ++q)
+            {
+                // Once where both are held
+                const label b = sorted[q].second;
+                if (body_[a] == body_[b] || (held[b] && b < a) ||
+                    magSqr(between(x[a], x[b])) > sqr(distance))
+                {
+                    continue;
+                }
+                pairs_.push_back({a, b, held[b]});
+            }
+        }
+    };
+    for (const content& c : contents)
+    {
+        const vector& inside = x[sorted[c.first].second];
+        label near[3][3], nNear[3];
+        for (direction d = 0; d < 3; ++d)
+        {
+            nNear[d] = bins.next(bins.along(inside, d), d, near[d]);
+        }
+        for (label k = 0; k < nNear[2]; ++k)
+        {
+            for (label j = 0; j < nNear[1]; ++j)
+            {
+                for (label i = 0; i < nNear[0]; ++i)
+                {
+                    const label bin =
+                        bins.number(near[0][i], near[1][j], near[2][k]);
+                    const auto other = std::lower_bound(
+                        contents.begin(), contents.end(), bin, lower);
+                    if (other != contents.end() && other->bin == bin)
+                    {
+                        pairsOf(c, *other);
+                    }
+                }
+            }
+        }
+    }
+
+    // In an order that does not depend on the bins
+    std::sort(pairs_.begin(), pairs_.end(),
+              [](const pair& a, const pair& b) {
+                  return a.first != b.first ? a.first < b.first
+                                            : a.second < b.second;
+              });
+}
+
+Foam::boolList Foam::closePairs::paired() const
+{
+    scalarField there(here().size(), Zero);
+    for (const pair& p : pairs_)
+    {
+        there[p.first] = there[p.second] = 1;
+    }
+    scalarField own(points_.nOwn(), Zero);
+    points_.addUp(there, 1, own.data());
+    boolList result(own.size());
+    forAll(own, k)
+    {
+        result[k] = own[k] > 0;
+    }
+    return result;
+}

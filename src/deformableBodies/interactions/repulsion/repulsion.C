@@ -1,0 +1,103 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "repulsion.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryChecks.H"
+#include "mathematicalConstants.H"
+
+namespace Foam
+{
+defineTypeNameAndDebug(repulsion, 0);
+addToRunTimeSelectionTable(interactionModel, repulsion, dictionary);
+} // namespace Foam
+
+Foam::repulsion::repulsion(const dictionary& dict,
+                           const interactionScene& scene)
+    : law_(readEnum(
+          Enum<lawType>({{MORSE, "Morse"}, {EXPONENTIAL, "exponential"}}), dict,
+          "law", MORSE)),
+      thickest_(scene.thickest)
+{
+    checkEntries(dict, {"law", "range", "strength"});
+    if (scene.softest == 0)
+    {
+        refuse(dict.parent(), "repulsion", "{...}",
+               "scenes with capsules that act on the fluid");
+    }
+    const scalar h = cmptMax(scene.grid.h());
+    range_ =
+        dict.found("range") ? readPositive(dict, "range", dimLength) : 1.5 * h;
+    const scalar most = 0.5 * cmptMin(scene.grid.length());
+    if (range_ < 0.5 * h || range_ > most)
+    {
+        refuse(dict, "range", Foam::name(range_),
+               Foam::name(0.5 * h) + " (half a cell) to " + Foam::name(most) +
+                   " (half the box)");
+    }
+    strength_ = 5 * scene.softest;
+    string reason("5 Gs/a");
+    if (scene.deltaT > 0 && 0.25 * scene.mu / scene.deltaT < strength_)
+    {
+        strength_ = 0.25 * scene.mu / scene.deltaT;
+        reason = "mu/(4 deltaT)";
+    }
+    if (dict.found("strength"))
+    {
+        strength_ = readPositive(dict, "strength", dimPressure);
+        reason = "given";
+    }
+    description_ = string(law_ == MORSE ? "Morse" : "exponential") +
+                   ", range " + Foam::name(range_) + " = " +
+                   Foam::name(range_ / h) + " h, strength " +
+                   Foam::name(strength_) + " Pa (" + reason + ")";
+}
+
+void Foam::repulsion::pressure(const scalar d, scalar& P, scalar& slope) const
+{
+    const scalar b = 3 / range_;
+    if (law_ == MORSE)
+    {
+        const scalar e = std::exp(b * (range_ - d));
+        const scalar factor = strength_ / (std::exp(3.0) - std::exp(1.5));
+        P = factor * e * (e - 1);
+        slope = factor * b * e * (2 * e - 1);
+    }
+    else
+    {
+        const scalar e = strength_ * std::exp(b * (0.5 * range_ - d));
+        P = e - strength_ * std::exp(-1.5);
+        slope = b * e;
+    }
+}
+
+void Foam::repulsion::add(const closePairs& pairs,
+                          const interactingPoints& points, vectorField& F) const
+{
+    // Closer than this only the direction counts
+    const scalar closest = 0.05 * range_;
+    pairs.each(
+        [&](const label i, const label j, const vector& r, const bool both)
+        {
+            const scalar t = points.radii[i] + points.radii[j];
+            if (points.radii[i] > 0 && points.radii[j] > 0)
+                return; // two fibres
+            const scalar apart = mag(r), d = max(apart - t, closest);
+            if (d >= range_) return;
+            scalar P, slope;
+            pressure(d, P, slope);
+            const scalar f = (P / sqr(d) + slope / d) /
+                             (2 * constant::mathematical::pi) *
+                             points.sizes[i] * points.sizes[j];
+            const vector force(f / max(apart, SMALL * range_) * r);
+            F[i] += force;
+            if (both) F[j] -= force;
+        });
+}
+
+Foam::scalar Foam::repulsion::ofWall(const scalar distance) const
+{
+    if (distance >= range_) return 0;
+    scalar P, slope;
+    pressure(max(distance, scalar(0)), P, slope);
+    return P;
+}
