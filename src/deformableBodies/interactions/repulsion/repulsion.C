@@ -70,25 +70,29 @@ void Foam::repulsion::pressure(const scalar d, scalar& P, scalar& slope) const
     }
 }
 
+Foam::scalar Foam::repulsion::between(const scalar distance) const
+{
+    // Closer than this only the direction counts
+    const scalar d = max(distance, 0.05 * range_);
+    if (d >= range_) return 0;
+    scalar P, slope;
+    pressure(d, P, slope);
+    return (P / sqr(d) + slope / d) / (2 * constant::mathematical::pi);
+}
+
 void Foam::repulsion::add(const closePairs& pairs,
                           const interactingPoints& points, vectorField& F) const
 {
-    // Closer than this only the direction counts
-    const scalar closest = 0.05 * range_;
     pairs.each(
         [&](const label i, const label j, const vector& r, const bool both)
         {
-            const scalar t = points.radii[i] + points.radii[j];
-            if (points.radii[i] > 0 && points.radii[j] > 0)
-                return; // two fibres
-            const scalar apart = mag(r), d = max(apart - t, closest);
-            if (d >= range_) return;
-            scalar P, slope;
-            pressure(d, P, slope);
-            const scalar f = (P / sqr(d) + slope / d) /
-                             (2 * constant::mathematical::pi) *
-                             points.sizes[i] * points.sizes[j];
-            const vector force(f / max(apart, SMALL * range_) * r);
+            // Not between two fibres
+            if (points.radii[i] > 0 && points.radii[j] > 0) return;
+            const scalar apart = mag(r);
+            const vector force(
+                between(apart - points.radii[i] - points.radii[j]) *
+                points.sizes[i] * points.sizes[j] / max(apart, SMALL * range_) *
+                r);
             F[i] += force;
             if (both) F[j] -= force;
         });

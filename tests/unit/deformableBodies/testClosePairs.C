@@ -1,0 +1,206 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "dictionary.H"
+#include "IStringStream.H"
+#include "repulsion.H"
+#include "unitTest.H"
+
+using namespace Foam;
+
+namespace
+{
+const uniformGrid& grid()
+{
+    return uniformGrid::New(test::mesh());
+}
+
+//- Points of several bodies, the same on all ranks: clouds of half a cell about
+//  centres anywhere, beyond periodic sides too
+struct clouds
+{
+    vectorField X;
+    labelList body;
+
+    explicit clouds(const label nBodies)
+    {
+        Random random(3);
+        DynamicList<vector> x;
+        DynamicList<label> b;
+        for (label i = 0; i < nBodies; ++i)
+        {
+            vector centre(random.sample01<vector>());
+            for (direction d = 0; d < 3; ++d)
+            {
+                const scalar s =
+                    grid().periodic(d) ? 2 * centre[d] - 0.5 : centre[d];
+                centre[d] = grid().origin()[d] + s * grid().length()[d];
+            }
+            for (label k = 0; k < 30; ++k)
+            {
+                const vector off(random.sample01<vector>() - 0.5 * vector::one);
+                vector p(centre + cmptMultiply(2 * off, grid().h()));
+                for (direction d = 0; d < 3; ++d)
+                {
+                    const scalar lo = grid().origin()[d];
+                    if (grid().periodic(d)) continue;
+                    p[d] = min(max(p[d], lo), lo + grid().length()[d]);
+                }
+                x.append(p);
+                b.append(i);
+            }
+        }
+        X = x;
+        body = b;
+    }
+
+    //- Those of this rank: every so many, wherever they are
+    labelList mine() const
+    {
+        DynamicList<label> own;
+        forAll(X, k)
+        {
+            if (body[k] % Pstream::nProcs() == Pstream::myProcNo())
+            {
+                own.append(k);
+            }
+        }
+        return labelList(std::move(own));
+    }
+};
+} // namespace
+
+TEST(ClosePairs, asByAllPairs)
+{
+    const scalar range = 1.5 * cmptMin(grid().h());
+    closePairs pairs(grid(), range);
+    clouds all(25);
+    const labelList mine(all.mine());
+    Random random(5);
+    for (label step = 0; step < 3; ++step)
+    {
+        // The second time by the pairs of the first, with the points moved by less
+        // than half the skin; the third after a search
+        const vectorField X(UIndirectList<vector>(all.X, mine));
+        const labelList body(UIndirectList<label>(all.body, mine));
+        if (step == 2) pairs.forget();
+        EXPECT_EQ(pairs.outdated(), step != 1);
+        if (step != 1)
+            pairs.search(X, body);
+        else
+            pairs.move(X);
+
+        // Pairs twice, or once where this rank holds one of the two
+        label found = 0;
+        scalar distances = 0;
+        pairs.each(
+            [&](label, label, const vector& r, const bool both)
+            {
+                found += both ? 2 : 1;
+                distances += (both ? 2 : 1) * mag(r);
+            });
+        reduce(found, sumOp<label>());
+        reduce(distances, sumOp<scalar>());
+        label expected = 0;
+        scalar expectedDistances = 0;
+        forAll(all.X, i)
+        {
+            for (label j = 0; j < i; ++j)
+            {
+                const scalar r = mag(pairs.between(all.X[i], all.X[j]));
+                if (all.body[i] == all.body[j] || r >= range) continue;
+                expected += 2;
+                expectedDistances += 2 * r;
+            }
+        }
+        EXPECT_GT(expected, 100);
+        EXPECT_EQ(found, expected);
+        test::expectBelow("sum of the distances of pairs",
+                          mag(distances / expectedDistances - 1), 1e-12);
+
+        for (vector& x : all.X)
+        {
+            x += 0.2 * cmptMin(grid().h()) *
+                 (random.sample01<vector>() - 0.5 * vector::one);
+        }
+        pairs.travel(0.2 * cmptMin(grid().h()));
+    }
+}
+
+TEST(ClosePairs, repulsionIsMutual)
+{
+    const scalar h = cmptMin(grid().h());
+    IStringStream none("");
+    const repulsion model(dictionary(none),
+                          interactionScene{grid(), 1, 0, 2, 0});
+    closePairs pairs(grid(), model.range());
+    const clouds all(25);
+    const labelList mine(all.mine());
+    pairs.search(vectorField(UIndirectList<vector>(all.X, mine)),
+                 labelList(UIndirectList<label>(all.body, mine)));
+    const label n = pairs.here().size();
+    const interactingPoints points{vectorField(n, Zero), scalarField(n, sqr(h)),
+                                   scalarField(n, Zero)};
+    vectorField there(n, Zero), F(mine.size(), Zero);
+    model.add(pairs, points, there);
+    pairs.points().addUp(scalarField(UList<scalar>(
+                             reinterpret_cast<scalar*>(there.data()), 3 * n)),
+                         3, reinterpret_cast<scalar*>(F.data()));
+    vector sum(Zero), torque(Zero);
+    scalar size = 0;
+    forAll(F, k)
+    {
+        sum += F[k];
+        size += mag(F[k]);
+    }
+    // About an axis that all images share, where nothing is periodic
+    const bool periodic =
+        grid().periodic(0) || grid().periodic(1) || grid().periodic(2);
+    forAll(F, k)
+    {
+        if (!periodic) torque += all.X[mine[k]] ^ F[k];
+    }
+    reduce(sum, sumOp<vector>());
+    reduce(torque, sumOp<vector>());
+    reduce(size, sumOp<scalar>());
+    EXPECT_GT(size, 0);
+    test::expectBelow("sum of forces over that of their sizes", mag(sum) / size,
+                      1e-13);
+    test::expectBelow("torque, likewise over the length of the box",
+                      mag(torque) / size / mag(grid().length()), 1e-13);
+}
+
+// Between two planes the pressure is that of the law
+TEST(ClosePairs, pressureOfPlanes)
+{
+    const scalar h = cmptMin(grid().h());
+    for (const char* law : {"law Morse;", "law exponential;"})
+    {
+        IStringStream is(law);
+        const repulsion model(dictionary(is),
+                              interactionScene{grid(), 1, 0, 2, 0});
+        const scalar R = model.range();
+        for (const scalar distance : {0.3, 0.5, 0.8})
+        {
+            // A point above a fine plane of points
+            const scalar spacing = 0.02 * R;
+            scalar force = 0;
+            for (label i = -60; i <= 60; ++i)
+            {
+                for (label j = -60; j <= 60; ++j)
+                {
+                    const vector r(i * spacing, j * spacing, distance * R);
+                    force +=
+                        model.between(mag(r)) * r.z() / mag(r) * sqr(spacing);
+                }
+            }
+            test::expectBelow(std::string(law) + " at " +
+                                  std::to_string(distance) + " of the range",
+                              mag(force / model.ofWall(distance * R) - 1),
+                              0.03);
+        }
+        EXPECT_NEAR(model.ofWall(0.5 * R) / 10, law[4] == 'M' ? 1 : 0.777,
+                    1e-3);
+        EXPECT_EQ(model.ofWall(R), 0);
+        EXPECT_NEAR(R, 1.5 * cmptMax(grid().h()), 1e-12 * h);
+    }
+}
