@@ -325,24 +325,34 @@ void Foam::staggeredFlow::restore(const snapshot& s)
 
 Foam::scalar Foam::staggeredFlow::CourantNo(const scalar dt) const
 {
-    scalar largest = 0;
-    bool bad = false;
+    // The largest of each place in a row, as these do not wait for each other. What
+    // is no number stays: a maximum alone does not see it
     const vector r(1 / grid_.h().x(), 1 / grid_.h().y(), 1 / grid_.h().z());
+    array rates(box_.size.x(), 0);
     block_.rows(
-        [&](const label q, const label)
+        [&, r](const label q, const label)
         {
-            for (label i = q; i < q + box_.size.x(); ++i)
+            const double* a = u_[0].data() + q;
+            const double* b = u_[1].data() + q;
+            const double* c = u_[2].data() + q;
+            double* largest = rates.data();
+#pragma GCC ivdep
+            for (label i = 0; i < box_.size.x(); ++i)
             {
-                const scalar rate = mag(u_[0][i]) * r.x() +
-                                    mag(u_[1][i]) * r.y() +
-                                    mag(u_[2][i]) * r.z();
-                largest = max(largest, rate);
-                bad |= !(rate < VGREAT);
+                const double rate = std::abs(a[i]) * r.x() +
+                                    std::abs(b[i]) * r.y() +
+                                    std::abs(c[i]) * r.z();
+                const bool take = (rate > largest[i]) | (rate != rate);
+                largest[i] = take ? rate : largest[i];
             }
         });
-    // A maximum does not see what is no number
-    if (returnReduce(bad, orOp<bool>())) return GREAT * GREAT;
-    return dt * returnReduce(largest, maxOp<scalar>());
+    scalar largest = 0;
+    for (const double rate : rates)
+    {
+        largest = max(largest, rate < VGREAT ? rate : VGREAT);
+    }
+    reduce(largest, maxOp<scalar>());
+    return largest < VGREAT ? dt * largest : GREAT * GREAT;
 }
 
 Foam::scalar Foam::staggeredFlow::divergence()

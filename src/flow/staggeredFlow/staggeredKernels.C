@@ -4,113 +4,114 @@
 
 #include "staggeredFlow.H"
 
-// Increment of component D without the implicit factors, in place of the
-// force; the new explicit terms replace the last ones. All nine convective
-// fluxes have one form: the component E that carries, averaged along D, times
-// component D averaged along E
+// Increments of a row of cells, component D, without the implicit factors, in
+// place of the force; the new explicit terms replace the last ones. All nine
+// convective fluxes have one form: the component E that carries, averaged along D,
+// times component D averaged along E
 template<int D, bool Convection, bool Variable>
-void Foam::staggeredFlow::explicitTerms(const scalar dt, const stage& weight,
-                                        scalar* force)
+void Foam::staggeredFlow::makeIncrement(const factors& f, const label q,
+                                        const label n)
 {
     const label nx = box_.size.x();
     constexpr int E = (D + 1) % 3, G = (D + 2) % 3;
     const label s0 = 1, s1 = block_.stride(1), s2 = block_.stride(2);
     const label sD = block_.stride(D), sE = block_.stride(E),
                 sG = block_.stride(G);
-    const vector& h = grid_.h();
-    const double q0 = 0.25 / h.x(), q1 = 0.25 / h.y(), q2 = 0.25 / h.z();
+    const double r0 = f.r[0], r1 = f.r[1], r2 = f.r[2];
+    const double q0 = 0.25 * r0, q1 = 0.25 * r1, q2 = 0.25 * r2;
+    const double L0 = r0 * r0, L1 = r1 * r1, L2 = r2 * r2;
+    const double rD = f.r[D], rE = f.r[E], rG = f.r[G];
+    const double dt = f.dt, now = f.now, before = f.before, rest = f.rest;
+    const double among = f.among, others = f.others, nu0 = f.nu0;
 
-    // nu L u is among the explicit terms or among the others
-    const scalar among = nuMax_ * (explicit_ ? 1 : 0);
-    const double now = weight.now, before = weight.before, rest = weight.others;
-    const double vRest = rest * (nuMax_ - among);
-    const double L0 = 1 / sqr(h.x()), L1 = 1 / sqr(h.y()), L2 = 1 / sqr(h.z());
-    const double rD = 1 / h[D], rE = 1 / h[E], rG = 1 / h[G];
-    const double nu0 = explicit_ ? 0 : nuMax_;
-
-    block_.rows(
-        [&](const label q, const label n)
-        {
-            const double* __restrict__ u = u_[D].data() + q;
-            const double* __restrict__ a = u_[0].data() + q;
-            const double* __restrict__ b = u_[1].data() + q;
-            const double* __restrict__ c = u_[2].data() + q;
-            const double* __restrict__ e = u_[E].data() + q;
-            const double* __restrict__ g = u_[G].data() + q;
-            const double* __restrict__ p = pressure_.data() + q;
-            const double* __restrict__ nu = Variable ? nu_.data() + q : nullptr;
-            const double* __restrict__ nuDE =
-                Variable ? nuEdge_[G].data() + q : nullptr;
-            const double* __restrict__ nuDG =
-                Variable ? nuEdge_[E].data() + q : nullptr;
-            double* __restrict__ last = last_[D].data() + n;
-            double* __restrict__ out = force + n;
-            for (label i = 0; i < nx; ++i)
-            {
-                const double x = u[i];
-                const double x0 = u[i - s0], X0 = u[i + s0];
-                const double x1 = u[i - s1], X1 = u[i + s1];
-                const double x2 = u[i - s2], X2 = u[i + s2];
-                const double diffusion = L0 * (X0 - 2 * x + x0) +
-                                         L1 * (X1 - 2 * x + x1) +
-                                         L2 * (X2 - 2 * x + x2);
-                double terms = 0;
-                if (Convection)
-                {
-                    terms = q0 * ((a[i] + a[i - sD]) * (x + x0) -
-                                  (a[i + s0] + a[i + s0 - sD]) * (x + X0)) +
-                            q1 * ((b[i] + b[i - sD]) * (x + x1) -
-                                  (b[i + s1] + b[i + s1 - sD]) * (x + X1)) +
-                            q2 * ((c[i] + c[i - sD]) * (x + x2) -
-                                  (c[i + s2] + c[i + s2 - sD]) * (x + X2));
-                }
-                if (Variable)
-                {
-                    const auto strain =
-                        [](const double* w, const label i, const label s)
-                    { return w[i] - w[i - s]; };
-                    terms += 2 * sqr(rD) *
-                                 ((nu[i] - nu0) * strain(u, i + sD, sD) -
-                                  (nu[i - sD] - nu0) * strain(u, i, sD)) +
-                             rE * ((nuDE[i + sE] - nu0) *
-                                       (rE * strain(u, i + sE, sE) +
-                                        rD * strain(e, i + sE, sD)) -
-                                   (nuDE[i] - nu0) * (rE * strain(u, i, sE) +
-                                                      rD * strain(e, i, sD))) +
-                             rG * ((nuDG[i + sG] - nu0) *
-                                       (rG * strain(u, i + sG, sG) +
-                                        rD * strain(g, i + sG, sD)) -
-                                   (nuDG[i] - nu0) * (rG * strain(u, i, sG) +
-                                                      rD * strain(g, i, sD)));
-                }
-                else
-                {
-                    terms += among * diffusion;
-                }
-                out[i] =
-                    dt * (now * terms + before * last[i] + vRest * diffusion +
-                          rest * (out[i] - rD * (p[i] - p[i - sD])));
-                last[i] = terms;
-            }
-        });
-
-    // The velocity on a wall stays
-    if (block_.wallBelow(D))
+    const double* u = u_[D].data() + q;
+    const double* a = u_[0].data() + q;
+    const double* b = u_[1].data() + q;
+    const double* c = u_[2].data() + q;
+    const double* e = u_[E].data() + q;
+    const double* g = u_[G].data() + q;
+    const double* p = pressure_.data() + q;
+    const double* nu = Variable ? nu_.data() + q : nullptr;
+    const double* nuDE = Variable ? nuEdge_[G].data() + q : nullptr;
+    const double* nuDG = Variable ? nuEdge_[E].data() + q : nullptr;
+    double* last = last_[D].data() + n;
+    double* out = increment()[D].data() + n;
+#pragma GCC ivdep
+    for (label i = 0; i < nx; ++i)
     {
-        box_.layer(D, 0, [&](const label i) { force[i] = last_[D][i] = 0; });
+        const double x = u[i];
+        const double x0 = u[i - s0], X0 = u[i + s0];
+        const double x1 = u[i - s1], X1 = u[i + s1];
+        const double x2 = u[i - s2], X2 = u[i + s2];
+        const double diffusion = L0 * (X0 - 2 * x + x0) +
+                                 L1 * (X1 - 2 * x + x1) +
+                                 L2 * (X2 - 2 * x + x2);
+        double terms = 0;
+        if (Convection)
+        {
+            terms = q0 * ((a[i] + a[i - sD]) * (x + x0) -
+                          (a[i + s0] + a[i + s0 - sD]) * (x + X0)) +
+                    q1 * ((b[i] + b[i - sD]) * (x + x1) -
+                          (b[i + s1] + b[i + s1 - sD]) * (x + X1)) +
+                    q2 * ((c[i] + c[i - sD]) * (x + x2) -
+                          (c[i + s2] + c[i + s2 - sD]) * (x + X2));
+        }
+        if (Variable)
+        {
+            const auto strain = [](const double* w, const label i,
+                                   const label s) { return w[i] - w[i - s]; };
+            terms += 2 * sqr(rD) *
+                         ((nu[i] - nu0) * strain(u, i + sD, sD) -
+                          (nu[i - sD] - nu0) * strain(u, i, sD)) +
+                     rE * ((nuDE[i + sE] - nu0) * (rE * strain(u, i + sE, sE) +
+                                                   rD * strain(e, i + sE, sD)) -
+                           (nuDE[i] - nu0) * (rE * strain(u, i, sE) +
+                                              rD * strain(e, i, sD))) +
+                     rG * ((nuDG[i + sG] - nu0) * (rG * strain(u, i + sG, sG) +
+                                                   rD * strain(g, i + sG, sD)) -
+                           (nuDG[i] - nu0) *
+                               (rG * strain(u, i, sG) + rD * strain(g, i, sD)));
+        }
+        else
+        {
+            terms += among * diffusion;
+        }
+        out[i] = dt * (now * terms + before * last[i] + others * diffusion +
+                       rest * (out[i] - rD * (p[i] - p[i - sD])));
+        last[i] = terms;
     }
 }
 
-template<int D>
-void Foam::staggeredFlow::makeIncrement(const scalar dt, const stage& s,
-                                        scalar* force)
+// All increments are made from the velocity before: they wait until the last is
+// done. The three components of a row follow each other, while it is in the cache
+template<bool Convection, bool Variable>
+void Foam::staggeredFlow::makeIncrements(const scalar dt, const stage& s)
 {
-    if (convection_ && variable()) explicitTerms<D, true, true>(dt, s, force);
-    if (convection_ && !variable()) explicitTerms<D, true, false>(dt, s, force);
-    if (!convection_ && variable()) explicitTerms<D, false, true>(dt, s, force);
-    if (!convection_ && !variable())
+    // nu L u is among the explicit terms or among the others
+    const scalar among = explicit_ ? nuMax_ : 0;
+    const vector& h = grid_.h();
+    const factors f{{1 / h.x(), 1 / h.y(), 1 / h.z()},
+                    dt,
+                    s.now,
+                    s.before,
+                    s.others,
+                    among,
+                    s.others * (nuMax_ - among),
+                    nuMax_ - among};
+    block_.rows(
+        [&](const label q, const label n)
+        {
+            makeIncrement<0, Convection, Variable>(f, q, n);
+            makeIncrement<1, Convection, Variable>(f, q, n);
+            makeIncrement<2, Convection, Variable>(f, q, n);
+        });
+
+    // The velocity on a wall stays
+    for (direction d = 0; d < 3; ++d)
     {
-        explicitTerms<D, false, false>(dt, s, force);
+        double *last = last_[d].data(), *out = increment()[d].data();
+        if (!block_.wallBelow(d)) continue;
+        box_.layer(d, 0, [&](const label i) { out[i] = last[i] = 0; });
     }
 }
 
@@ -178,11 +179,10 @@ void Foam::staggeredFlow::predict()
     }
     updateVelocity();
 
-    // All increments are made from the velocity before: they wait until the last
-    // is done
-    makeIncrement<0>(stepDt_, s, increment()[0].data());
-    makeIncrement<1>(stepDt_, s, increment()[1].data());
-    makeIncrement<2>(stepDt_, s, increment()[2].data());
+    if (convection_ && variable()) makeIncrements<true, true>(stepDt_, s);
+    if (convection_ && !variable()) makeIncrements<true, false>(stepDt_, s);
+    if (!convection_ && variable()) makeIncrements<false, true>(stepDt_, s);
+    if (!convection_ && !variable()) makeIncrements<false, false>(stepDt_, s);
 }
 
 // The increments of a stage without the implicit factors, as a share of those of
@@ -237,9 +237,9 @@ void Foam::staggeredFlow::diffuse()
         {
             for (direction d = 0; d < 3; ++d)
             {
-                double* __restrict__ u = u_[d].data() + q;
-                const double* __restrict__ increment =
-                    increments[d].cdata() + n;
+                double* u = u_[d].data() + q;
+                const double* increment = increments[d].cdata() + n;
+#pragma GCC ivdep
                 for (label i = 0; i < box_.size.x(); ++i)
                 {
                     u[i] += increment[i];
@@ -262,10 +262,11 @@ void Foam::staggeredFlow::project()
     block_.rows(
         [&](const label q, const label)
         {
-            const double* __restrict__ a = u_[0].data() + q;
-            const double* __restrict__ b = u_[1].data() + q;
-            const double* __restrict__ c = u_[2].data() + q;
-            double* __restrict__ source = correction_.data() + q;
+            const double* a = u_[0].data() + q;
+            const double* b = u_[1].data() + q;
+            const double* c = u_[2].data() + q;
+            double* source = correction_.data() + q;
+#pragma GCC ivdep
             for (label i = 0; i < nx; ++i)
             {
                 source[i] = -(r0 * (a[i + 1] - a[i]) + r1 * (b[i + s1] - b[i]) +
@@ -287,10 +288,11 @@ void Foam::staggeredFlow::project()
     block_.rows(
         [&](const label q, const label)
         {
-            double* __restrict__ a = u_[0].data() + q;
-            double* __restrict__ b = u_[1].data() + q;
-            double* __restrict__ c = u_[2].data() + q;
-            const double* __restrict__ f = correction_.data() + q;
+            double* a = u_[0].data() + q;
+            double* b = u_[1].data() + q;
+            double* c = u_[2].data() + q;
+            const double* f = correction_.data() + q;
+#pragma GCC ivdep
             for (label i = 0; i < nx; ++i)
             {
                 a[i] -= d0 * (f[i] - f[i - 1]);
@@ -298,9 +300,13 @@ void Foam::staggeredFlow::project()
                 c[i] -= d2 * (f[i] - f[i - s2]);
             }
         });
-    for (label q = 0; q < block_.size(); ++q)
+    const label size = block_.size();
+    double* p = pressure_.data();
+    const double* change = correction_.data();
+#pragma GCC ivdep
+    for (label q = 0; q < size; ++q)
     {
-        pressure_[q] += correction_[q];
+        p[q] += change[q];
     }
     if (++stage_ == nStages()) gradient_ /= stepDt_;
 }
