@@ -71,11 +71,12 @@ bool Foam::functionObjects::energySpectrum::execute()
     const scalar nAll = scalar(t.nFast) * t.nSlow * t.nThird;
 
     // By mode of one direction: wave number (true, of the second difference)
-    // squared, and weight of a square in the mean
+    // squared, and weight of a square in the mean: that of its conjugate as well
+    // unless all are there
     struct line
     {
         scalarField k2, modified2, weight;
-        line(const label n, const scalar h)
+        line(const label n, const scalar h, const bool all = false)
             : k2(n),
               modified2(n),
               weight(n)
@@ -86,11 +87,11 @@ bool Foam::functionObjects::energySpectrum::execute()
                 const scalar angle = constant::mathematical::pi * m / n;
                 k2[i] = sqr(2 * angle / h);
                 modified2[i] = sqr(2 * Foam::sin(angle) / h);
-                weight[i] = (m == 0 || 2 * m == n ? 1.0 : 2.0) / n;
+                weight[i] = (all || m == 0 || 2 * m == n ? 1.0 : 2.0) / n;
             }
         }
     };
-    const line fast(t.nFast, h[t.fast]), slow(t.nSlow, h[t.slow]),
+    const line fast(t.nFast, h[t.fast], true), slow(t.nSlow, h[t.slow]),
         third(t.nThird, h[t.third]);
 
     const vector largest(1 / h.x(), 1 / h.y(), 1 / h.z());
@@ -102,7 +103,7 @@ bool Foam::functionObjects::energySpectrum::execute()
     {
         t.forward(u[d].cdata());
         t.transformThird();
-        const double* mode = t.rows();
+        const double* row = t.rows();
         for (label k = 0; k < t.nThird; ++k)
         {
             for (label j = t.firstRow; j < t.firstRow + t.nRows; ++j)
@@ -110,7 +111,8 @@ bool Foam::functionObjects::energySpectrum::execute()
                 const scalar w = 0.5 * third.weight[k] * slow.weight[j] / nAll;
                 for (label i = 0; i < t.nFast; ++i)
                 {
-                    const scalar e = w * fast.weight[i] * sqr(*mode++);
+                    const scalar e = w * fast.weight[i] *
+                                     (sqr(row[2 * i]) + sqr(row[2 * i + 1]));
                     const scalar k2 = third.k2[k] + slow.k2[j] + fast.k2[i];
                     total += e;
                     energy_[label(Foam::sqrt(k2) / dk_ + 0.5)] += e;
@@ -118,6 +120,7 @@ bool Foam::functionObjects::energySpectrum::execute()
                                  (third.modified2[k] + slow.modified2[j] +
                                   fast.modified2[i]);
                 }
+                row += t.rowLength;
             }
         }
     }

@@ -13,9 +13,11 @@ Foam::fastHelmholtz::fastHelmholtz(const uniformGrid& grid,
                                    const labelUList& places)
     : sides_(sides),
       transform_(grid, sides, cells, places),
-      work_(2 * transform_.nThird * transform_.nFast),
+      work_((2 * transform_.nThird + 3) * transform_.rowLength, 0),
       constant_(2 * transform_.nThird)
 {
+    std::fill_n(work_.data() + (transform_.nThird + 1) * transform_.rowLength,
+                transform_.rowLength, 1.0);
 }
 
 bool Foam::fastHelmholtz::singular(const scalar sigma) const
@@ -24,27 +26,39 @@ bool Foam::fastHelmholtz::singular(const scalar sigma) const
            sides_[1].constantAllowed() && sides_[2].constantAllowed();
 }
 
-// The tridiagonal systems of one slow mode and all fast modes together, so
-// that the inner loop runs over neighbours in memory. Where the direction is
-// periodic the last unknown is eliminated: x_j = y_j + z_j x_last.
+// The tridiagonal systems of one slow mode and all fast modes together, so that the
+// inner loops run over neighbours in memory. Where the direction is periodic, rows
+// before the last have its unknown as well, and the last one is freed of all others
+// on the way:
+//     x_j = y_j + c_j x_{j+1} + e_j x_last
 void Foam::fastHelmholtz::sweepRow(double* row, const label slowMode,
                                    const scalar sigma,
                                    const FixedList<scalar, 3>& a)
 {
     const sideConditions& ends = sides_[transform_.third];
-    const double at = a[transform_.third];
-    const label n = transform_.nThird, m = transform_.nFast,
-                stride = m * transform_.nRows;
-    const label last = ends.periodic ? n - 2 : n - 1;
     const bool cyclic = ends.periodic;
-
-    double* __restrict__ c = work_.data();
-    double* __restrict__ z = c + n * m;
-    const double* __restrict__ eigen = transform_.eigenFast.data();
+    const double at = a[transform_.third], af = a[transform_.fast];
+    const label n = transform_.nThird, m = transform_.rowLength,
+                stride = m * transform_.nRows, last = n - (cyclic ? 2 : 1);
+    const double* eigen = transform_.eigenFast.data();
     const double base =
         sigma + a[transform_.slow] * transform_.eigenSlow[slowMode] + 2 * at;
-    const double af = a[transform_.fast];
     const double scale = 1 / transform_.normalisation;
+
+    // Before c_0 and y_0 come zeros, before e_0 ones
+    const double* zero = work_.data();
+    double* c = work_.data() + m;
+    double* e = c + (n + 1) * m;
+    double* diagLast = e + n * m;
+    double* xLast = row + (n - 1) * stride;
+    if (cyclic)
+    {
+        for (label i = 0; i < m; ++i)
+        {
+            diagLast[i] = base + af * eigen[i];
+            xLast[i] *= scale;
+        }
+    }
 
     for (label j = 0; j <= last; ++j)
     {
@@ -54,84 +68,61 @@ void Foam::fastHelmholtz::sweepRow(double* row, const label slowMode,
             if (j == 0) diag += ends.lowerDirichlet ? at : -at;
             if (j == n - 1) diag += ends.upperDirichlet ? at : -at;
         }
+        // A value on the wall is zero
+        const double open = ends.faces && j == 0 ? 0 : 1;
 
-        double* __restrict__ x = row + j * stride;
-        const double* __restrict__ xm = x - stride;
-        double* __restrict__ cj = c + j * m;
-        const double* __restrict__ cm = cj - m;
-        if (j == 0)
-        {
-            // A value on the wall is zero
-            const double open = ends.faces ? 0 : 1;
-            for (label i = 0; i < m; ++i)
-            {
-                const double r = open / (diag + af * eigen[i]);
-                cj[i] = at * r;
-                x[i] = scale * x[i] * r;
-            }
-        }
-        else
-        {
-            for (label i = 0; i < m; ++i)
-            {
-                const double r = 1 / (diag + af * eigen[i] - at * cm[i]);
-                cj[i] = at * r;
-                x[i] = (scale * x[i] + at * xm[i]) * r;
-            }
-        }
-        if (cyclic)
-        {
-            // Right-hand side a (e_first + e_last) of z; cj/at is 1/pivot
-            double* __restrict__ zj = z + j * m;
-            const double* __restrict__ zm = zj - m;
-            const double b = (j == 0 ? 1 : 0) + (j == last ? 1 : 0);
-            for (label i = 0; i < m; ++i)
-            {
-                zj[i] = cj[i] * (b + (j ? zm[i] : 0));
-            }
-        }
-    }
-
-    for (label j = last - 1; j >= 0; --j)
-    {
-        double* __restrict__ x = row + j * stride;
-        const double* __restrict__ xp = x + stride;
-        const double* __restrict__ cj = c + j * m;
+        double* x = row + j * stride;
+        const double* xm = j ? x - stride : zero;
+        double* cj = c + j * m;
+        const double* cm = cj - m;
+#pragma GCC ivdep
         for (label i = 0; i < m; ++i)
         {
-            x[i] += cj[i] * xp[i];
+            const double r = open / (diag + af * eigen[i] - at * cm[i]);
+            cj[i] = at * r;
+            x[i] = (scale * x[i] + at * xm[i]) * r;
         }
-        if (cyclic)
+        if (!cyclic) continue;
+
+        double* ej = e + j * m;
+        const double* em = ej - m;
+        const double next = j == last ? 1 : 0;
+#pragma GCC ivdep
+        for (label i = 0; i < m; ++i)
         {
-            double* __restrict__ zj = z + j * m;
-            const double* __restrict__ zp = zj + m;
-            for (label i = 0; i < m; ++i)
-            {
-                zj[i] += cj[i] * zp[i];
-            }
+            const double inLast = at * (em[i] + next);
+            ej[i] = cj[i] * em[i];
+            xLast[i] += inLast * x[i];
+            diagLast[i] -= inLast * (ej[i] + next * cj[i]);
         }
     }
 
     if (cyclic)
     {
-        double* __restrict__ xl = row + (n - 1) * stride;
-        const double* __restrict__ x0 = row;
-        const double* __restrict__ xm = row + (n - 2) * stride;
-        const double* __restrict__ z0 = z;
-        const double* __restrict__ zm = z + (n - 2) * m;
         for (label i = 0; i < m; ++i)
         {
-            xl[i] = (scale * xl[i] + at * (xm[i] + x0[i])) /
-                    (base + af * eigen[i] - at * (zm[i] + z0[i]));
+            xLast[i] /= diagLast[i];
         }
-        for (label j = 0; j < n - 1; ++j)
+    }
+    for (label j = n - 2; j >= 0; --j)
+    {
+        double* x = row + j * stride;
+        const double* xp = x + stride;
+        const double* cj = c + j * m;
+        const double* ej = e + j * m;
+        if (cyclic)
         {
-            double* __restrict__ x = row + j * stride;
-            const double* __restrict__ zj = z + j * m;
+#pragma GCC ivdep
             for (label i = 0; i < m; ++i)
             {
-                x[i] += zj[i] * xl[i];
+                x[i] += cj[i] * xp[i] + ej[i] * xLast[i];
             }
+            continue;
+        }
+#pragma GCC ivdep
+        for (label i = 0; i < m; ++i)
+        {
+            x[i] += cj[i] * xp[i];
         }
     }
 }
@@ -176,8 +167,9 @@ void Foam::fastHelmholtz::solve(scalar* x, const scalar* b, const scalar sigma,
 
     const bool skipConstant =
         singular(sigma) && transform_.firstRow == 0 && transform_.nRows > 0;
-    const label stride = transform_.nFast * transform_.nRows;
-    const double eigenOfConstant = transform_.eigenFast[0];
+    const label stride = transform_.rowLength * transform_.nRows;
+    const label nConstant = transform_.complexModes ? 2 : 1;
+    double* const eigenOfConstant = transform_.eigenFast.data();
     if (skipConstant)
     {
         for (label j = 0; j < transform_.nThird; ++j)
@@ -187,19 +179,20 @@ void Foam::fastHelmholtz::solve(scalar* x, const scalar* b, const scalar sigma,
         sweepConstant(a[transform_.third]);
 
         // Keep the general sweep away from a zero pivot (a trapped exception)
-        transform_.eigenFast[0] = 1;
+        std::fill_n(eigenOfConstant, nConstant, 1.0);
     }
     for (label r = 0; r < transform_.nRows; ++r)
     {
-        sweepRow(rows + r * transform_.nFast, transform_.firstRow + r, sigma,
-                 a);
-        transform_.eigenFast[0] = eigenOfConstant;
+        sweepRow(rows + r * transform_.rowLength, transform_.firstRow + r,
+                 sigma, a);
+        if (skipConstant) std::fill_n(eigenOfConstant, nConstant, 0.0);
     }
     if (skipConstant)
     {
         for (label j = 0; j < transform_.nThird; ++j)
         {
             rows[j * stride] = constant_[j];
+            if (transform_.complexModes) rows[j * stride + 1] = 0;
         }
     }
 

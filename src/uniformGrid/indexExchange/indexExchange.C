@@ -7,6 +7,24 @@
 int64_t Foam::indexExchange::messages = 0;
 int64_t Foam::indexExchange::bytes = 0;
 
+namespace
+{
+//- Values with a stride to values with a stride
+inline void copy(const double* from, const Foam::label sf, double* to,
+                 const Foam::label st, const Foam::label n)
+{
+    if (sf == 1 && st == 1)
+    {
+        std::copy_n(from, n, to);
+        return;
+    }
+    for (Foam::label i = 0; i < n; ++i)
+    {
+        to[i * st] = from[i * sf];
+    }
+}
+} // namespace
+
 // Longest stretches along which both lists have a constant stride
 template<class Visit>
 void Foam::indexExchange::divide(const labelUList& a, const labelUList& b,
@@ -39,6 +57,20 @@ Foam::indexExchange::runs(const labelUList& places)
     return List<run>(std::move(all));
 }
 
+void Foam::indexExchange::keep(const labelUList& sources,
+                               const labelUList& places)
+{
+    DynamicList<run> from, to;
+    divide(sources, places,
+           [&](const run& s, const run& t)
+           {
+               from.append(s);
+               to.append(t);
+           });
+    ownSource_.transfer(from);
+    ownTarget_.transfer(to);
+}
+
 Foam::indexExchange::indexExchange(const labelUList& rank,
                                    const labelUList& place,
                                    const labelUList& source)
@@ -63,15 +95,7 @@ Foam::indexExchange::indexExchange(const labelUList& rank,
         places[rank[i]][k] = place[i];
     }
 
-    DynamicList<run> from, to;
-    divide(sources[me], places[me],
-           [&](const run& s, const run& t)
-           {
-               from.append(s);
-               to.append(t);
-           });
-    ownSource_.transfer(from);
-    ownTarget_.transfer(to);
+    keep(sources[me], places[me]);
     if (!Pstream::parRun()) return;
 
     PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
@@ -122,10 +146,8 @@ void Foam::indexExchange::transfer(const bool forward, const scalar* src,
         scalar* buf = r.out.data();
         for (const run& s : forward ? r.source : r.target)
         {
-            for (label i = 0; i < s.length; ++i)
-            {
-                *buf++ = src[s.start + i * s.stride];
-            }
+            copy(src + s.start, s.stride, buf, 1, s.length);
+            buf += s.length;
         }
         if (const label n = forward ? r.here : r.there)
         {
@@ -140,19 +162,8 @@ void Foam::indexExchange::transfer(const bool forward, const scalar* src,
     const List<run>& to = forward ? ownTarget_ : ownSource_;
     forAll(from, k)
     {
-        const scalar* f = src + from[k].start;
-        scalar* t = dst + to[k].start;
-        const label sf = from[k].stride, st = to[k].stride;
-        const label n = from[k].length;
-        if (sf == 1 && st == 1)
-        {
-            std::copy(f, f + n, t);
-            continue;
-        }
-        for (label i = 0; i < n; ++i)
-        {
-            t[i * st] = f[i * sf];
-        }
+        copy(src + from[k].start, from[k].stride, dst + to[k].start,
+             to[k].stride, from[k].length);
     }
 
     Pstream::waitRequests(pending);
@@ -161,10 +172,8 @@ void Foam::indexExchange::transfer(const bool forward, const scalar* src,
         const scalar* buf = r.in.cdata();
         for (const run& t : forward ? r.target : r.source)
         {
-            for (label i = 0; i < t.length; ++i)
-            {
-                dst[t.start + i * t.stride] = *buf++;
-            }
+            copy(buf, 1, dst + t.start, t.stride, t.length);
+            buf += t.length;
         }
     }
 }

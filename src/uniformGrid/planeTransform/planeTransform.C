@@ -4,22 +4,27 @@
 #include <fftw3.h>
 #include <cmath>
 
-// FFTW_ESTIMATE: measured plans cost seconds, change the last bits from run to
-// run and gained nothing reliable here
 struct Foam::planeTransform::plans
 {
+    // Planes, one plane for work, rows
     double* planes = nullptr;
+    double* work = nullptr;
     double* rows = nullptr;
-    fftw_plan forward = nullptr;
-    fftw_plan backward = nullptr;
+
+    // Of one plane: along rows (both directions at once where modes are real), and
+    // columns; along lines
+    fftw_plan forward = nullptr, backward = nullptr;
+    fftw_plan columns = nullptr, columnsBack = nullptr;
     fftw_plan third = nullptr;
 
     ~plans()
     {
-        if (forward) fftw_destroy_plan(forward);
-        if (backward) fftw_destroy_plan(backward);
-        if (third) fftw_destroy_plan(third);
+        for (fftw_plan p : {forward, backward, columns, columnsBack, third})
+        {
+            if (p) fftw_destroy_plan(p);
+        }
         if (rows != planes) fftw_free(rows);
+        fftw_free(work);
         fftw_free(planes);
     }
 };
@@ -77,6 +82,19 @@ std::vector<double> eigenvalues(const sideConditions& s, const label n)
     return lambda;
 }
 
+fftw_complex* complexAt(double* x)
+{
+    return reinterpret_cast<fftw_complex*>(x);
+}
+
+//- Memory that FFTW likes, of zeros
+double* zeros(const label n)
+{
+    double* x = fftw_alloc_real(std::max(n, label(1)));
+    std::fill_n(x, n, 0.0);
+    return x;
+}
+
 //- First of the items that rank holds when n are dealt to all ranks
 label firstOf(const label n, const label rank)
 {
@@ -124,67 +142,107 @@ Foam::planeTransform::planeTransform(const uniformGrid& grid,
     nSlow = grid.n()[slow];
     nThird = grid.n()[third];
 
+    // Columns are transformed by twos: one of zeros follows an odd number
+    complexModes = sides[slow].periodic && sides[fast].periodic;
+    const label nColumns = complexModes ? nFast + nFast % 2 : nFast;
+    nSlowModes = complexModes ? nSlow / 2 + 1 : nSlow;
+    rowLength = complexModes ? 2 * nColumns : nFast;
+    planeSize_ = nSlowModes * rowLength;
+
     const label me = Pstream::myProcNo();
     const label firstPlane = firstOf(nThird, me);
     const label nPlanes = firstOf(nThird, me + 1) - firstPlane;
-    firstRow = firstOf(nSlow, me);
-    nRows = firstOf(nSlow, me + 1) - firstRow;
+    firstRow = firstOf(nSlowModes, me);
+    nRows = firstOf(nSlowModes, me + 1) - firstRow;
+    plans_->planes = zeros(nPlanes * planeSize_);
+    plans_->rows = plans_->planes;
 
-    // Memory of the planes: [third][slow][fast]
-    labelList rank(cells.size()), place(cells.size());
-    forAll(rank, celli)
+    // Memory of the values: [third][slow][fast], with room for the modes of a
+    // plane. Those of this rank move plane by plane unless the planes lie across
+    // the rows of memory
+    std::vector<DynamicList<label>> ownSource(nPlanes), ownPlace(nPlanes);
+    DynamicList<label> rank, place, source;
+    forAll(cells, celli)
     {
         const labelVector& c = cells[celli];
-        rank[celli] = rankOf(nThird, c[third]);
-        place[celli] =
-            c[fast] +
-            nFast *
-                (c[slow] + nSlow * (c[third] - firstOf(nThird, rank[celli])));
+        const label to = rankOf(nThird, c[third]);
+        const label plane = c[third] - firstOf(nThird, to);
+        const bool own = to == me && third != 0;
+        const label from = places.size() ? places[celli] : celli;
+        const label at =
+            c[fast] + nColumns * c[slow] + (own ? 0 : planeSize_ * plane);
+        if (!own) rank.append(to);
+        (own ? ownSource[plane] : source).append(from);
+        (own ? ownPlace[plane] : place).append(at);
     }
-    toPlanes_.reset(new indexExchange(rank, place, places));
-
-    const label nPlaneValues = nPlanes * nSlow * nFast;
-    plans_->planes = fftw_alloc_real(std::max(nPlaneValues, label(1)));
-    plans_->rows = plans_->planes;
+    toPlanes_.reset(new indexExchange(rank, place, source));
+    toPlane_.resize(nPlanes);
+    for (label p = 0; p < nPlanes; ++p)
+    {
+        toPlane_[p].keep(ownSource[p], ownPlace[p]);
+    }
 
     if (Pstream::parRun())
     {
         // Memory of the rows: [third][slow][fast] with this rank's slow modes
-        rank.setSize(nPlaneValues);
-        place.setSize(nPlaneValues);
-        for (label i = 0; i < nPlaneValues; ++i)
+        rank.setSize(nPlanes * planeSize_);
+        place.setSize(rank.size());
+        forAll(rank, i)
         {
-            const label f = i % nFast;
-            const label s = (i / nFast) % nSlow;
-            const label p = firstPlane + i / (nFast * nSlow);
-            rank[i] = rankOf(nSlow, s);
-            const label first = firstOf(nSlow, rank[i]);
-            const label n = firstOf(nSlow, rank[i] + 1) - first;
-            place[i] = f + nFast * (s - first + n * p);
+            const label f = i % rowLength;
+            const label s = (i / rowLength) % nSlowModes;
+            const label p = firstPlane + i / planeSize_;
+            rank[i] = rankOf(nSlowModes, s);
+            const label first = firstOf(nSlowModes, rank[i]);
+            const label n = firstOf(nSlowModes, rank[i] + 1) - first;
+            place[i] = f + rowLength * (s - first + n * p);
         }
         toRows_.reset(new indexExchange(rank, place));
-        plans_->rows =
-            fftw_alloc_real(std::max(nThird * nRows * nFast, label(1)));
+        plans_->rows = zeros(nThird * nRows * rowLength);
     }
 
     const realTransform s(sides[slow], nSlow), f(sides[fast], nFast);
-    const int n[2] = {int(nSlow), int(nFast)};
-    if (nPlanes)
-    {
-        double* p = plans_->planes;
-        const fftw_r2r_kind fwd[2] = {s.forward, f.forward};
-        const fftw_r2r_kind bwd[2] = {s.backward, f.backward};
-        const int dist = n[0] * n[1];
-        plans_->forward =
-            fftw_plan_many_r2r(2, n, nPlanes, p, nullptr, 1, dist, p, nullptr,
-                               1, dist, fwd, FFTW_ESTIMATE);
-        plans_->backward =
-            fftw_plan_many_r2r(2, n, nPlanes, p, nullptr, 1, dist, p, nullptr,
-                               1, dist, bwd, FFTW_ESTIMATE);
-    }
     normalisation = s.normalisation * f.normalisation;
     eigenSlow = eigenvalues(sides[slow], nSlow);
     eigenFast = eigenvalues(sides[fast], nFast);
+    if (complexModes)
+    {
+        const std::vector<double> eigen(eigenFast);
+        eigenFast.assign(rowLength, 1);
+        for (label i = 0; i < 2 * nFast; ++i)
+        {
+            eigenFast[i] = eigen[i / 2];
+        }
+    }
+    if (!nPlanes) return;
+
+    fftw_plan &fwd = plans_->forward, &bwd = plans_->backward;
+    double* x = plans_->planes;
+    const int ns = nSlow, nf = nFast;
+    if (!complexModes)
+    {
+        // Planes of an odd size do not begin at even places
+        const unsigned how =
+            FFTW_ESTIMATE | (planeSize_ % 2 ? FFTW_UNALIGNED : 0);
+        fwd = fftw_plan_r2r_2d(ns, nf, x, x, s.forward, f.forward, how);
+        bwd = fftw_plan_r2r_2d(ns, nf, x, x, s.backward, f.backward, how);
+        return;
+    }
+    plans_->work = zeros(nSlow * nColumns);
+    const auto plan = [](const int n, const int number, const int stride,
+                         const int next, double* from, double* to,
+                         const int sign)
+    {
+        return fftw_plan_many_dft(1, &n, number, complexAt(from), nullptr,
+                                  stride, next, complexAt(to), nullptr, stride,
+                                  next, sign, FFTW_ESTIMATE);
+    };
+    const int m = nColumns / 2, row = rowLength / 2;
+    double* w = plans_->work;
+    plans_->columns = plan(ns, m, m, 1, x, w, FFTW_FORWARD);
+    fwd = plan(nf, nSlowModes, 1, row, x, x, FFTW_FORWARD);
+    bwd = plan(nf, nSlowModes, 1, row, x, x, FFTW_BACKWARD);
+    plans_->columnsBack = plan(ns, m, m, 1, w, x, FFTW_BACKWARD);
 }
 
 Foam::planeTransform::~planeTransform() {}
@@ -194,24 +252,93 @@ double* Foam::planeTransform::rows()
     return plans_->rows;
 }
 
+void Foam::planeTransform::transform(double* plane)
+{
+    if (!complexModes)
+    {
+        fftw_execute_r2r(plans_->forward, plane, plane);
+        return;
+    }
+    fftw_execute_dft(plans_->columns, complexAt(plane),
+                     complexAt(plans_->work));
+
+    // C = A + i B of mode l and its conjugate n - l, A and B those of the columns
+    const label nColumns = rowLength / 2;
+    for (label l = 0; l < nSlowModes; ++l)
+    {
+        const double* c = plans_->work + nColumns * l;
+        const double* d = plans_->work + nColumns * ((nSlow - l) % nSlow);
+        double* row = plane + rowLength * l;
+#pragma GCC ivdep
+        for (label i = 0; i < nColumns; i += 2)
+        {
+            row[2 * i] = 0.5 * (c[i] + d[i]);
+            row[2 * i + 1] = 0.5 * (c[i + 1] - d[i + 1]);
+            row[2 * i + 2] = 0.5 * (c[i + 1] + d[i + 1]);
+            row[2 * i + 3] = 0.5 * (d[i] - c[i]);
+        }
+        std::fill(row + 2 * nFast, row + rowLength, 0.0);
+    }
+    fftw_execute_dft(plans_->forward, complexAt(plane), complexAt(plane));
+}
+
+void Foam::planeTransform::transformBack(double* plane)
+{
+    if (!complexModes)
+    {
+        fftw_execute_r2r(plans_->backward, plane, plane);
+        return;
+    }
+    fftw_execute_dft(plans_->backward, complexAt(plane), complexAt(plane));
+    const label nColumns = rowLength / 2;
+    for (label l = 0; l < nSlowModes; ++l)
+    {
+        double* c = plans_->work + nColumns * l;
+        double* d = plans_->work + nColumns * ((nSlow - l) % nSlow);
+        const double* row = plane + rowLength * l;
+#pragma GCC ivdep
+        for (label i = 0; i < nColumns; i += 2)
+        {
+            c[i] = row[2 * i] - row[2 * i + 3];
+            c[i + 1] = row[2 * i + 1] + row[2 * i + 2];
+            d[i] = row[2 * i] + row[2 * i + 3];
+            d[i + 1] = row[2 * i + 2] - row[2 * i + 1];
+        }
+    }
+    fftw_execute_dft(plans_->columnsBack, complexAt(plans_->work),
+                     complexAt(plane));
+}
+
 void Foam::planeTransform::forward(const scalar* x)
 {
     toPlanes_->forward(x, plans_->planes);
-    if (plans_->forward) fftw_execute(plans_->forward);
+    double* plane = plans_->planes;
+    for (const indexExchange& toPlane : toPlane_)
+    {
+        toPlane.forward(x, plane);
+        transform(plane);
+        plane += planeSize_;
+    }
     if (toRows_) toRows_->forward(plans_->planes, plans_->rows);
 }
 
 void Foam::planeTransform::backward(scalar* x)
 {
     if (toRows_) toRows_->backward(plans_->rows, plans_->planes);
-    if (plans_->backward) fftw_execute(plans_->backward);
+    double* plane = plans_->planes;
+    for (const indexExchange& toPlane : toPlane_)
+    {
+        transformBack(plane);
+        toPlane.backward(plane, x);
+        plane += planeSize_;
+    }
     toPlanes_->backward(plans_->planes, x);
 }
 
 void Foam::planeTransform::transformThird()
 {
     const int n[1] = {int(nThird)};
-    const int stride = nRows * nFast;
+    const int stride = nRows * rowLength;
     const fftw_r2r_kind kind[1] = {FFTW_R2HC};
     double* r = rows();
     if (!plans_->third && stride)

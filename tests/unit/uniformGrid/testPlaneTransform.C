@@ -49,10 +49,10 @@ TEST(PlaneTransform, waveIsOneMode)
         {
             for (label j = 0; j < transform.nRows; ++j)
             {
-                for (label i = 0; i < transform.nFast; ++i)
+                for (label i = 0; i < transform.rowLength; ++i)
                 {
                     const scalar c = sqr(
-                        transform.rows()[i + transform.nFast *
+                        transform.rows()[i + transform.rowLength *
                                                  (j + transform.nRows * k)]);
                     const scalar off = max(
                         mag(transform.eigenSlow[transform.firstRow + j] - slow),
