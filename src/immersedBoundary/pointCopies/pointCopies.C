@@ -6,13 +6,13 @@ namespace
 {
 using namespace Foam;
 
-const scalar* numbers(const vectorField& v)
+const scalar* numbers(const UList<vector>& v)
 {
     return reinterpret_cast<const scalar*>(v.cdata());
 }
 } // namespace
 
-void Foam::pointCopies::place(const vectorField& X)
+void Foam::pointCopies::place(const UList<vector>& X)
 {
     nOwn_ = X.size();
     if (!Pstream::parRun())
@@ -51,12 +51,6 @@ void Foam::pointCopies::place(const vectorField& X)
     {
         std::copy(in[i].begin(), in[i].end(), x + 3 * first_[i]);
     }
-}
-
-void Foam::pointCopies::move(const vectorField& X)
-{
-    const scalarField x(handOut(numbers(X), 3));
-    std::copy(x.begin(), x.end(), reinterpret_cast<scalar*>(X_.data()));
 }
 
 bool Foam::pointCopies::holds(const label k) const

@@ -73,57 +73,37 @@ TEST(ClosePairs, asByAllPairs)
 {
     const scalar range = 1.5 * cmptMin(grid().h());
     closePairs pairs(grid(), range);
-    clouds all(25);
+    const clouds all(25);
     const labelList mine(all.mine());
-    Random random(5);
-    for (label step = 0; step < 3; ++step)
+    const vectorField X(UIndirectList<vector>(all.X, mine));
+    pairs.search(X, labelList(UIndirectList<label>(all.body, mine)));
+
+    // Pairs twice, or once where this rank holds one of the two
+    label found = 0;
+    scalar distances = 0;
+    for (const closePairs::pair& p : pairs.pairs())
     {
-        // The second time by the pairs of the first, with the points moved by less
-        // than half the skin; the third after a search
-        const vectorField X(UIndirectList<vector>(all.X, mine));
-        const labelList body(UIndirectList<label>(all.body, mine));
-        if (step == 2) pairs.forget();
-        EXPECT_EQ(pairs.outdated(), step != 1);
-        if (step != 1)
-            pairs.search(X, body);
-        else
-            pairs.move(X);
-
-        // Pairs twice, or once where this rank holds one of the two
-        label found = 0;
-        scalar distances = 0;
-        pairs.each(
-            [&](label, label, const vector& r, const bool both)
-            {
-                found += both ? 2 : 1;
-                distances += (both ? 2 : 1) * mag(r);
-            });
-        reduce(found, sumOp<label>());
-        reduce(distances, sumOp<scalar>());
-        label expected = 0;
-        scalar expectedDistances = 0;
-        forAll(all.X, i)
-        {
-            for (label j = 0; j < i; ++j)
-            {
-                const scalar r = mag(pairs.between(all.X[i], all.X[j]));
-                if (all.body[i] == all.body[j] || r >= range) continue;
-                expected += 2;
-                expectedDistances += 2 * r;
-            }
-        }
-        EXPECT_GT(expected, 100);
-        EXPECT_EQ(found, expected);
-        test::expectBelow("sum of the distances of pairs",
-                          mag(distances / expectedDistances - 1), 1e-12);
-
-        for (vector& x : all.X)
-        {
-            x += 0.2 * cmptMin(grid().h()) *
-                 (random.sample01<vector>() - 0.5 * vector::one);
-        }
-        pairs.travel(0.2 * cmptMin(grid().h()));
+        found += p.bothHeld ? 2 : 1;
+        distances += (p.bothHeld ? 2 : 1) * mag(p.r);
     }
+    reduce(found, sumOp<label>());
+    reduce(distances, sumOp<scalar>());
+    label expected = 0;
+    scalar expectedDistances = 0;
+    forAll(all.X, i)
+    {
+        for (label j = 0; j < i; ++j)
+        {
+            const scalar r = mag(nearestImage(grid(), all.X[i], all.X[j]));
+            if (all.body[i] == all.body[j] || r >= range) continue;
+            expected += 2;
+            expectedDistances += 2 * r;
+        }
+    }
+    EXPECT_GT(expected, 100);
+    EXPECT_EQ(found, expected);
+    test::expectBelow("sum of the distances of pairs",
+                      mag(distances / expectedDistances - 1), 1e-12);
 }
 
 TEST(ClosePairs, repulsionIsMutual)

@@ -35,7 +35,7 @@ public:
 
     virtual void add(const bodyPoints& body, scalar, vectorField& F) const
     {
-        if (actsOn(body.body)) F += all_.on(group_, body.body);
+        if (actsOn(body.body)) all_.add(group_, body.body, F);
     }
 };
 } // namespace
@@ -169,85 +169,123 @@ bool Foam::bodyInteractions::others() const
     return n != bodies_.size();
 }
 
-void Foam::bodyInteractions::search()
+void Foam::bodyInteractions::compareBoxes()
 {
-    DynamicList<vector> X;
-    DynamicList<label> body;
     bodies_.clear();
     find_.clear();
+    DynamicList<vector> centres;
+    DynamicList<scalar> facts; // half the sides of the box, number of the body
+    DynamicList<boundBox> boxes;
+    scalar largest = 0;
     forAll(groups_, g)
     {
         const bodyGroup& group = groups_[g];
         if (!takesPart(group)) continue;
         forAll(group.mine(), i)
         {
-            const label number = group.mine()[i], first = X.size();
-            X.append(group.points(i).places);
+            const label number = group.mine()[i];
             find_[firstBody_[g] + number] = bodies_.size();
-            bodies_.push_back({g, i, number, first, X.size() - first, false});
-            for (label k = first; k < X.size(); ++k)
-            {
-                body.append(firstBody_[g] + number);
-            }
+            bodies_.push_back({g, i, number, false, 0, 0});
+            boxes.append(group.bounds(i, false));
+            const vector half(0.5 * boxes.last().span());
+            centres.append(boxes.last().midpoint());
+            facts.append(
+                {half.x(), half.y(), half.z(), scalar(firstBody_[g] + number)});
+            largest = max(largest, cmptMax(half));
         }
     }
-    X_ = X;
-    pairs_->search(X_, body);
+    reduce(largest, maxOp<scalar>());
+    const scalar reach = pairs_->range() + skin();
 
-    const boolList paired(pairs_->paired());
-    const scalar reach = pairs_->range() + cmptMin(grid_.h());
-    vector inward;
-    anyNear_ = false;
-    for (participant& p : bodies_)
+    // Centres of boxes that may be near each other know each other
+    closePairs near(grid_, 2 * std::sqrt(3.0) * largest + reach);
+    labelList body(centres.size());
+    forAll(body, k)
     {
-        for (label k = p.first; k < p.first + p.size && !p.near; ++k)
+        body[k] = label(facts[4 * k + 3]);
+    }
+    near.search(centres, body);
+    const scalarField there(near.points().handOut(facts.cdata(), 4));
+    scalarField met(near.here().size(), Zero), own(centres.size(), Zero);
+    for (const closePairs::pair& p : near.pairs())
+    {
+        bool apart = false;
+        for (direction d = 0; d < 3; ++d)
         {
-            p.near = paired[k] || toWall(X_[k], inward) < reach;
+            apart = apart || mag(p.r[d]) > there[4 * p.first + d] +
+                                               there[4 * p.second + d] + reach;
         }
+        if (!apart) met[p.first] = met[p.second] = 1;
+    }
+    near.points().addUp(met, 1, own.data());
+
+    anyNear_ = false;
+    forAll(own, k)
+    {
+        vector inward;
+        participant& p = bodies_[k];
+        p.near = own[k] > 0 || toWall(boxes[k].min(), inward) < reach ||
+                 toWall(boxes[k].max(), inward) < reach;
         anyNear_ = anyNear_ || p.near;
     }
     reduce(anyNear_, orOp<bool>());
+    travelled_ = 0;
 }
 
 void Foam::bodyInteractions::update()
 {
     const auto timing(effects_.time("interactions"));
-    if (others()) pairs_->forget();
-    if (pairs_->outdated()) search();
-    F_.setSize(X_.size());
-    F_ = Zero;
+    if (returnReduce(travelled_ > 0.5 * skin() || others(), orOp<bool>()))
+    {
+        compareBoxes();
+    }
     nPairs_ = 0;
     closest_ = GREAT;
     power_ = 0;
     if (!anyNear_) return;
 
-    // Area vector, size and radius of each point
-    scalarField facts(5 * X_.size(), Zero);
-    vectorField V(X_.size(), Zero);
-    for (const participant& p : bodies_)
+    // Area vector, size and radius of each point; velocity
+    which_.clear();
+    X_.clear();
+    DynamicList<scalar> facts;
+    DynamicList<vector> V;
+    DynamicList<label> body;
+    for (participant& p : bodies_)
     {
+        p.first = X_.size();
+        p.size = 0;
         if (!p.near) continue;
         const bodyPoints points(groups_[p.group].points(p.place));
         const scalar radius =
             std::sqrt(points.crossSection / constant::mathematical::pi);
-        for (label k = 0; k < p.size; ++k)
+        const label n = points.places.size();
+        const scalar enough =
+            points.isSurface() ? 0.6 * sum(mag(points.areas)) / n : 0;
+        vector area(Zero);
+        scalar size = 0;
+        for (label k = 0; k < n; ++k)
         {
-            scalar* fact = &facts[5 * (p.first + k)];
-            X_[p.first + k] = points.places[k];
-            V[p.first + k] = points.velocities[k];
             if (points.isSurface())
             {
-                std::copy_n(points.areas[k].v_, 3, fact);
-                fact[3] = mag(points.areas[k]);
+                area += points.areas[k];
+                size += mag(points.areas[k]);
+                if (size < enough && k + 1 < n) continue;
             }
             else
             {
-                fact[3] = points.lengths[k] * cmptMax(grid_.h());
-                fact[4] = radius;
+                size = points.lengths[k] * cmptMax(grid_.h());
             }
+            which_.append(k);
+            X_.append(points.places[k]);
+            V.append(points.velocities[k]);
+            body.append(firstBody_[p.group] + p.number);
+            facts.append({area.x(), area.y(), area.z(), size, radius});
+            area = Zero;
+            size = 0;
         }
+        p.size = X_.size() - p.first;
     }
-    pairs_->move(X_);
+    pairs_->search(X_, body);
     const scalarField there(pairs_->points().handOut(facts.cdata(), 5));
     const label n = pairs_->here().size();
     interactingPoints points{vectorField(n), scalarField(n), scalarField(n)};
@@ -266,27 +304,25 @@ void Foam::bodyInteractions::update()
         const auto timing(effects_.time(model.type()));
         model.add(*pairs_, points, F);
     }
+    F_.setSize(X_.size());
+    F_ = Zero;
     pairs_->points().addUp(
         scalarField(UList<scalar>(reinterpret_cast<scalar*>(F.data()), 3 * n)),
         3, reinterpret_cast<scalar*>(F_.data()));
 
-    for (const participant& p : bodies_)
+    forAll(X_, k)
     {
-        if (!p.near) continue;
-        for (label k = p.first; k < p.first + p.size; ++k)
+        vector inward;
+        const scalar distance = toWall(X_[k], inward);
+        if (distance < pairs_->range())
         {
-            vector inward;
-            const scalar distance = toWall(X_[k], inward);
-            if (distance < pairs_->range())
+            for (const interactionModel& model : models_)
             {
-                for (const interactionModel& model : models_)
-                {
-                    F_[k] += model.ofWall(distance - facts[5 * k + 4]) *
-                             facts[5 * k + 3] * inward;
-                }
+                F_[k] += model.ofWall(distance - facts[5 * k + 4]) *
+                         facts[5 * k + 3] * inward;
             }
-            power_ += F_[k] & V[k];
         }
+        power_ += F_[k] & V[k];
     }
     work_ += time_.deltaTValue() * power_;
 }
@@ -296,22 +332,25 @@ void Foam::bodyInteractions::look(const interactingPoints& points)
     // Deepest of those points that lie behind the other's surface, both seen
     scalar deepest = 0;
     label a = -1, b = -1;
-    pairs_->each(
-        [&](const label i, const label j, const vector& r, const bool both)
+    scalar closest = GREAT;
+    for (const closePairs::pair& p : pairs_->pairs())
+    {
+        nPairs_ += p.bothHeld ? 2 : 1;
+        const scalar square = magSqr(p.r);
+        closest = min(closest, square);
+        const vector& n = points.areas[p.first];
+        const vector& m = points.areas[p.second];
+        if ((n & m) >= 0 || (m & p.r) >= 0 || (n & p.r) <= 0) continue;
+        const scalar apart = std::sqrt(square);
+        if (apart > deepest && (m & p.r) < -0.5 * mag(m) * apart &&
+            (n & p.r) > 0.5 * mag(n) * apart)
         {
-            nPairs_ += both ? 2 : 1;
-            const scalar apart = mag(r);
-            closest_ = min(closest_, apart);
-            const vector &ni = points.areas[i], &nj = points.areas[j];
-            if (apart > deepest && (ni & nj) < 0 &&
-                (nj & r) < -0.5 * mag(nj) * apart &&
-                (ni & r) > 0.5 * mag(ni) * apart)
-            {
-                deepest = apart;
-                a = i;
-                b = j;
-            }
-        });
+            deepest = apart;
+            a = p.first;
+            b = p.second;
+        }
+    }
+    if (closest < GREAT) closest_ = std::sqrt(closest);
     const scalar all = returnReduce(deepest, maxOp<scalar>());
     if (all == 0 ||
         (warned_ >= 0 && time_.timeIndex() < warned_ + stepGuard::pause))
@@ -346,11 +385,14 @@ bool Foam::bodyInteractions::actOn(const label group, const label body) const
     return anyNear_ && found != find_.end() && bodies_[found->second].near;
 }
 
-Foam::SubField<Foam::vector> Foam::bodyInteractions::on(const label group,
-                                                        const label body) const
+void Foam::bodyInteractions::add(const label group, const label body,
+                                 vectorField& F) const
 {
     const participant& p = bodies_[find_.at(firstBody_[group] + body)];
-    return SubField<vector>(F_, p.size, p.first);
+    for (label k = p.first; k < p.first + p.size; ++k)
+    {
+        F[which_[k]] += F_[k];
+    }
 }
 
 void Foam::bodyInteractions::sample()

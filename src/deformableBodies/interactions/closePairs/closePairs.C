@@ -69,38 +69,20 @@ public:
 Foam::closePairs::closePairs(const uniformGrid& grid, const scalar range)
     : grid_(grid),
       range_(range),
-      skin_(cmptMin(grid.h())),
       neighbours_(grid),
-      points_(neighbours_, layersOf(grid, range + skin_))
+      points_(neighbours_, layersOf(grid, range))
 {
 }
 
-bool Foam::closePairs::outdated() const
-{
-    return returnReduce(travelled_ < 0 || travelled_ > 0.5 * skin_,
-                        orOp<bool>());
-}
-
-void Foam::closePairs::search(const vectorField& X, const labelList& body)
+void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
 {
     points_.place(X);
-    {
-        scalarField own(body.size());
-        forAll(body, k)
-        {
-            own[k] = body[k];
-        }
-        const scalarField all(points_.handOut(own.cdata(), 1));
-        body_.setSize(all.size());
-        forAll(all, k)
-        {
-            body_[k] = label(all[k]);
-        }
-    }
+    scalarField own(body.size());
+    std::copy(body.begin(), body.end(), own.begin());
+    const scalarField all(points_.handOut(own.cdata(), 1));
+    body_.setSize(all.size());
+    std::copy(all.begin(), all.end(), body_.begin());
     pairs_.clear();
-    travelled_ = 0;
-    ++nSearches_;
-
     const vectorField& x = here();
     boolList held(x.size());
     forAll(x, k)
@@ -110,8 +92,7 @@ void Foam::closePairs::search(const vectorField& X, const labelList& body)
 
     // Points sorted by their bins; of each bin which points, and the body if all
     // are of one
-    const scalar distance = range_ + skin_;
-    const binning bins(grid_, distance);
+    const binning bins(grid_, range_);
     std::vector<std::pair<label, label>> sorted(x.size()); // bin, point
     forAll(x, k)
     {
@@ -125,15 +106,15 @@ void Foam::closePairs::search(const vectorField& X, const labelList& body)
         label bin, first, last, onlyBody;
     };
     std::vector<content> contents;
-    for (const auto& p : sorted)
+    for (size_t at = 0; at < sorted.size(); ++at)
     {
-        const label at = &p - sorted.data(), owner = body_[p.second];
-        if (contents.empty() || contents.back().bin != p.first)
+        const label owner = body_[sorted[at].second];
+        if (contents.empty() || contents.back().bin != sorted[at].first)
         {
-            contents.push_back({p.first, at, at, owner});
+            contents.push_back({sorted[at].first, label(at), 0, owner});
         }
         content& c = contents.back();
-        c.last = at + 1;
+        c.last = label(at) + 1;
         if (c.onlyBody != owner) c.onlyBody = -1;
     }
 
@@ -150,12 +131,12 @@ void Foam::closePairs::search(const vectorField& X, const labelList& body)
             {
                 // Once where both are held
                 const label b = sorted[q].second;
-                if (body_[a] == body_[b] || (held[b] && b < a) ||
-                    magSqr(between(x[a], x[b])) > sqr(distance))
+                if (body_[a] == body_[b] || (held[b] && b < a)) continue;
+                const vector r(nearestImage(grid_, x[a], x[b]));
+                if (magSqr(r) < sqr(range_))
                 {
-                    continue;
+                    pairs_.push_back({a, b, held[b], r});
                 }
-                pairs_.push_back({a, b, held[b]});
             }
         }
     };
@@ -185,28 +166,4 @@ void Foam::closePairs::search(const vectorField& X, const labelList& body)
             }
         }
     }
-
-    // In an order that does not depend on the bins
-    std::sort(pairs_.begin(), pairs_.end(),
-              [](const pair& a, const pair& b) {
-                  return a.first != b.first ? a.first < b.first
-                                            : a.second < b.second;
-              });
-}
-
-Foam::boolList Foam::closePairs::paired() const
-{
-    scalarField there(here().size(), Zero);
-    for (const pair& p : pairs_)
-    {
-        there[p.first] = there[p.second] = 1;
-    }
-    scalarField own(points_.nOwn(), Zero);
-    points_.addUp(there, 1, own.data());
-    boolList result(own.size());
-    forAll(own, k)
-    {
-        result[k] = own[k] > 0;
-    }
-    return result;
 }

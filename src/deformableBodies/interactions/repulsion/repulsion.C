@@ -50,6 +50,13 @@ Foam::repulsion::repulsion(const dictionary& dict,
                    ", range " + Foam::name(range_) + " = " +
                    Foam::name(range_ / h) + " h, strength " +
                    Foam::name(strength_) + " Pa (" + reason + ")";
+
+    table_.setSize(2000);
+    forAll(table_, i)
+    {
+        const scalar r = range_ * std::sqrt(i / (table_.size() - 1.0));
+        table_[i] = between(r) / max(r, 0.01 * range_);
+    }
 }
 
 void Foam::repulsion::pressure(const scalar d, scalar& P, scalar& slope) const
@@ -83,19 +90,33 @@ Foam::scalar Foam::repulsion::between(const scalar distance) const
 void Foam::repulsion::add(const closePairs& pairs,
                           const interactingPoints& points, vectorField& F) const
 {
-    pairs.each(
-        [&](const label i, const label j, const vector& r, const bool both)
+    const scalar perSquare = (table_.size() - 1) / sqr(range_);
+    for (const closePairs::pair& p : pairs.pairs())
+    {
+        const scalar t = points.radii[p.first] + points.radii[p.second];
+        scalar perDistance; // f/r
+        if (t == 0)
+        {
+            const scalar at = perSquare * magSqr(p.r);
+            const label i = label(at);
+            if (i + 1 >= table_.size()) continue;
+            perDistance = table_[i] + (at - i) * (table_[i + 1] - table_[i]);
+        }
+        else
         {
             // Not between two fibres
-            if (points.radii[i] > 0 && points.radii[j] > 0) return;
-            const scalar apart = mag(r);
-            const vector force(
-                between(apart - points.radii[i] - points.radii[j]) *
-                points.sizes[i] * points.sizes[j] / max(apart, SMALL * range_) *
-                r);
-            F[i] += force;
-            if (both) F[j] -= force;
-        });
+            if (points.radii[p.first] > 0 && points.radii[p.second] > 0)
+            {
+                continue;
+            }
+            const scalar apart = mag(p.r);
+            perDistance = between(apart - t) / max(apart, SMALL * range_);
+        }
+        const vector force(perDistance * points.sizes[p.first] *
+                           points.sizes[p.second] * p.r);
+        F[p.first] += force;
+        if (p.bothHeld) F[p.second] -= force;
+    }
 }
 
 Foam::scalar Foam::repulsion::ofWall(const scalar distance) const
