@@ -41,6 +41,7 @@ Usage
 #include "lastStep.H"
 #include "fieldsWanted.H"
 #include "runProgress.H"
+#include "startDictionary.H"
 #include "stepGuard.H"
 #include "printTraffic.H"
 
@@ -57,6 +58,7 @@ int main(int argc, char* argv[])
     #include "setRootCaseLists.H"
     #include "createTime.H"
     #include "createNamedMesh.H"
+    #include "checkTime.H"
     #include "refuseDynamicMesh.H"
     #include "createControl.H"
     #include "createTimeControls.H"

@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "caseFiles.H"
+#include "dictionaryChecks.H"
 #include "fileOperation.H"
 #include "IFstream.H"
 #include "OSspecific.H"
@@ -135,6 +136,30 @@ void Foam::requireNothingThere(const IOobject& io, const word& className)
                          << "    FoamFile { version 2.0; format ascii; class "
                          << className << "; object " << io.name() << "; }"
                          << exit(FatalError);
+}
+
+void Foam::requireFinishedTime(const polyMesh& mesh, const wordList& fields)
+{
+    const Time& time = mesh.time();
+    if (time.value() <= 0) return;
+    string missing;
+    for (const word& field : fields)
+    {
+        const IOobject io(field, time.timeName(), mesh, IOobject::MUST_READ,
+                          IOobject::NO_WRITE, false);
+        if (fileHandler().filePath(false, io, "volVectorField", false).empty())
+        {
+            missing = io.objectPath();
+        }
+    }
+    missing = firstOf(missing);
+    if (missing.empty()) return;
+    FatalErrorInFunction
+        << "time " << time.timeName() << " is unfinished, as there is no file "
+        << missing.c_str() << nl
+        << "    The run may have been killed while it wrote. Delete the folder "
+        << time.timeName() << (Pstream::parRun() ? " of all processors" : "")
+        << ", or start from an earlier time" << exit(FatalError);
 }
 
 Foam::string Foam::wrongBrackets(const std::string& text)

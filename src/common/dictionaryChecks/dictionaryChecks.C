@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "dictionaryChecks.H"
+#include <cctype>
 
 void Foam::checkEntries(const dictionary& dict, const wordList& allowed)
 {
@@ -32,6 +33,60 @@ Foam::scalar Foam::readPositive(const dictionary& dict, const word& name,
         refuse(dict, name, Foam::name(value), "numbers greater than 0");
     }
     return value;
+}
+
+Foam::string Foam::valueOf(const entry& e)
+{
+    OStringStream os;
+    os.precision(10);
+    if (e.isStream())
+    {
+        for (const token& t : e.stream())
+        {
+            os << t << ' ';
+        }
+    }
+    else
+    {
+        for (const entry& one : e.dict())
+        {
+            os << one.keyword() << ' ' << valueOf(one).c_str()
+               << (one.isStream() ? "; " : " ");
+        }
+    }
+
+    // On one line, without blanks in brackets
+    std::string line;
+    for (const char c : std::string(os.str()))
+    {
+        const bool blank = std::isspace(static_cast<unsigned char>(c));
+        if (blank && (line.empty() || line.back() == ' ' || line.back() == '('))
+            continue;
+        if ((c == ')' || c == ';') && !line.empty() && line.back() == ' ')
+            line.pop_back();
+        line += blank ? ' ' : c;
+    }
+    if (!line.empty() && line.back() == ' ') line.pop_back();
+    return e.isStream() ? line : "{ " + line + " }";
+}
+
+const Foam::dictionary& Foam::readDict(const dictionary& dict, const word& name,
+                                       const string& example)
+{
+    const entry* found = dict.findEntry(name, keyType::LITERAL);
+    if (found && !found->isDict())
+    {
+        refuse(dict, name, valueOf(*found),
+               "a dictionary, such as " + name + " { " + example + " }");
+    }
+    return dict.subDict(name);
+}
+
+const Foam::dictionary& Foam::readDictIfThere(const dictionary& dict,
+                                              const word& name,
+                                              const string& example)
+{
+    return dict.found(name) ? readDict(dict, name, example) : dictionary::null;
 }
 
 Foam::string Foam::firstOf(const string& sentence)

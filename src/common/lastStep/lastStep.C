@@ -5,6 +5,26 @@
 #include "IOdictionary.H"
 #include "Time.H"
 
+namespace
+{
+using namespace Foam;
+
+//- A file of uniform/, or nothing
+dictionary dictionaryOf(const Time& time, const word& name)
+{
+    const IOobject io(name, time.timeName(), "uniform", time,
+                      IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    return isThere<IOdictionary>(io) ? dictionary(IOdictionary(io))
+                                     : dictionary();
+}
+
+//- Time has no function for this
+struct purgeable : public Time
+{
+    static label Time::*purge() { return &purgeable::purgeWrite_; }
+};
+} // namespace
+
 Foam::lastStep::lastStep(const Time& time)
     : regIOobject(IOobject("lastStep", time.timeName(), "uniform", time,
                            IOobject::NO_READ, IOobject::AUTO_WRITE))
@@ -21,21 +41,40 @@ bool Foam::lastStep::writeData(Ostream& os) const
     const int precision = os.precision(17);
     os.writeEntry("deltaT", time().deltaTValue());
     os.precision(precision);
+    if (!diverged_.empty()) os.writeEntry("diverged", diverged_);
     return os.good();
 }
 
 Foam::scalar Foam::lastStep::read(const Time& time)
 {
     const auto deltaT = [&](const word& name)
-    {
-        const IOobject io(name, time.timeName(), "uniform", time,
-                          IOobject::MUST_READ, IOobject::NO_WRITE, false);
-        return isThere<IOdictionary>(io)
-                   ? IOdictionary(io).getOrDefault<scalar>("deltaT", 0)
-                   : scalar(0);
-    };
+    { return dictionaryOf(time, name).getOrDefault<scalar>("deltaT", 0); };
     const scalar rounded = deltaT("time"), exact = deltaT("lastStep");
 
     // Another solver may have gone on from there and left the one behind
     return mag(exact - rounded) < 1e-3 * rounded ? exact : rounded;
+}
+
+void Foam::lastStep::refuseDiverged(const Time& time)
+{
+    const string why(
+        dictionaryOf(time, "lastStep").getOrDefault<string>("diverged", ""));
+    if (why.empty()) return;
+    FatalErrorInFunction
+        << "time " << time.timeName() << " was written because the run diverged"
+        << " there: " << why.c_str() << nl
+        << "    allowed: an earlier time to start from (startTime in "
+        << "system/controlDict, or delete the folder "
+        << time.timePath().c_str() << "), with a smaller deltaT"
+        << exit(FatalError);
+}
+
+void Foam::lastStep::writeBeforeStop(const Time& time, const string& diverged)
+{
+    Info << "Writing the state before the stop" << endl;
+    lastStep* step = time.getObjectPtr<lastStep>("lastStep");
+    if (step) step->diverged_ = diverged;
+    Time& now = const_cast<Time&>(time);
+    now.*purgeable::purge() = 0;
+    now.writeNow();
 }

@@ -20,13 +20,29 @@ struct textBlock
     std::set<std::string> names;
 };
 
-string firstRepeated(const fileName& file)
+//- Path of the first name that comes twice; what: two dictionaries, or values
+string firstRepeated(const fileName& file, string& what)
 {
     IFstream is(file);
     std::vector<textBlock> open{{"", true, {}}};
     std::string first; // word of an entry
     label nTokens = 0; // of that entry
     bool directive = false;
+    const auto comesTwice = [&]()
+    {
+        // Text that stands for others, $group or #calc, may come often
+        return first[0] != '$' && first[0] != '#' &&
+               !open.back().names.insert(first).second;
+    };
+    const auto path = [&]()
+    {
+        std::string names;
+        for (const textBlock& b : open)
+        {
+            if (!b.name.empty()) names += b.name + "/";
+        }
+        return names + first;
+    };
     for (token t(is); t.good(); is >> t)
     {
         if (t.isPunctuation())
@@ -35,14 +51,10 @@ string firstRepeated(const fileName& file)
             const bool inDictionary = open.back().isDictionary;
             if (c == token::BEGIN_BLOCK && inDictionary && nTokens == 1)
             {
-                if (!open.back().names.insert(first).second)
+                if (comesTwice())
                 {
-                    std::string path;
-                    for (const textBlock& b : open)
-                    {
-                        if (!b.name.empty()) path += b.name + "/";
-                    }
-                    return path + first;
+                    what = "two dictionaries";
+                    return path();
                 }
                 open.push_back({first, true, {}});
                 nTokens = 0;
@@ -60,6 +72,11 @@ string firstRepeated(const fileName& file)
             }
             else if (c == token::END_STATEMENT && inDictionary)
             {
+                if (nTokens > 0 && comesTwice())
+                {
+                    what = "two values";
+                    return path();
+                }
                 nTokens = 0;
             }
             continue;
@@ -89,14 +106,15 @@ string firstRepeated(const fileName& file)
 
 void Foam::refuseRepeated(const dictionary& dict, const fileName& file)
 {
-    string repeated;
-    if (Pstream::master()) repeated = firstRepeated(file);
+    string repeated, what;
+    if (Pstream::master()) repeated = firstRepeated(file, what);
     Pstream::scatter(repeated);
-    if (!repeated.empty())
-    {
-        refuse(
-            dict, repeated, "two dictionaries",
-            "one: of two with the same name OpenFOAM would make one; give the "
-            "second another name");
-    }
+    Pstream::scatter(what);
+    if (repeated.empty()) return;
+    refuse(dict, repeated, what,
+           what == "two values"
+               ? "one: of two with the same name OpenFOAM takes one without a "
+                 "word"
+               : "one: of two with the same name OpenFOAM would make one; give "
+                 "the second another name");
 }

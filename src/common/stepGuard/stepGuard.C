@@ -2,6 +2,7 @@
 
 #include "stepGuard.H"
 #include "fvc.H"
+#include "lastStep.H"
 #include "volFields.H"
 
 namespace
@@ -81,7 +82,7 @@ void Foam::stepGuard::check(const scalar Co, const std::function<void()>& fill)
 void Foam::stepGuard::stop(const string& what, const scalar Co,
                            const std::function<void()>& fill) const
 {
-    Time& time = const_cast<Time&>(phi_.time());
+    const Time& time = phi_.time();
     const bool starting = time.timeIndex() == time.startTimeIndex();
     if (!starting) fill();
 
@@ -108,11 +109,7 @@ void Foam::stepGuard::stop(const string& what, const scalar Co,
         if (one.first() > where.first()) where = one;
     }
 
-    if (!starting)
-    {
-        Info << "Writing the state before the stop" << endl;
-        time.writeNow();
-    }
+    if (!starting) lastStep::writeBeforeStop(time, what);
     const scalar dt = time.deltaTValue();
     const scalar borne =
         min(stable_, scalar(1)) / max(rate_ > 0 ? rate_ : Co / dt, VSMALL);

@@ -7,14 +7,15 @@
 #include "fvc.H"
 #include "repeatedDictionary.H"
 #include "sceneNumbers.H"
-#include "uniformDimensionedFields.H"
 
 namespace Foam
 {
 defineTypeNameAndDebug(bodyCollection, 0);
 }
 
-const Foam::word Foam::bodyCollection::stateEntry("deformableBodies");
+const Foam::wordList Foam::bodyCollection::stateEntries({"deformableBodies",
+                                                         "diverged",
+                                                         "forAllGroups"});
 
 Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
                                      const bool solverBalances)
@@ -67,6 +68,10 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
             << exit(FatalIOError);
     }
     requireTimeSteps();
+    for (const word& file : {io.name(), word("transportProperties")})
+    {
+        watched_.append(new startDictionary(mesh, file, "the bodies go on"));
+    }
     read(dict);
     readState(dict);
     places_.reset(
@@ -81,24 +86,6 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
                                 ? string("each step")
                                 : "one step in " + Foam::name(sampleInterval_)),
                        wrap ? &grid_ : nullptr));
-}
-
-void Foam::bodyCollection::requireTimeSteps() const
-{
-    const dictionary schemes(mesh_.schemesDict().subOrEmptyDict("ddtSchemes"));
-    for (const entry& e : schemes)
-    {
-        if (!e.isStream()) continue;
-        const string scheme(e.stream().toString());
-        for (const word notInTime :
-             {"steadyState", "localEuler", "CoEuler", "SLTS"})
-        {
-            if (scheme.find(notInTime) == string::npos) continue;
-            refuse(schemes, e.keyword(), scheme,
-                   "Euler, backward or CrankNicolson: bodies move in time, so "
-                   "that solvers of steady flow cannot carry them");
-        }
-    }
 }
 
 Foam::bodyCollection& Foam::bodyCollection::New(const fvMesh& mesh,
@@ -124,166 +111,6 @@ Foam::bodyCollection::~bodyCollection()
         Info << "Bodies handed over between ranks: " << ownership_->handedOver()
              << nl << endl;
     }
-}
-
-void Foam::bodyCollection::read(const IOdictionary& dict)
-{
-    checkEntries(dict, {"FoamFile", "variables", "bodies", "sampleInterval",
-                        "accuracy", "kernel", "coupling", "interactions",
-                        "loads", "wrap", "restart", "removed", "outside"});
-
-    const IOdictionary transport(
-        IOobject("transportProperties", mesh_.time().constant(), mesh_,
-                 IOobject::MUST_READ, IOobject::NO_WRITE, false));
-    rho_ = readPositive(transport, "rho", dimDensity);
-    nu_ = readPositive(transport, "nu", dimViscosity);
-
-    neighbours_.reset(new blockNeighbours(grid_));
-    ownership_.reset(new bodyOwnership(*neighbours_));
-    markers_.reset(new markerSet(grid_, deltaKernel(dict), *neighbours_));
-
-    const bodyScene scene{grid_,
-                          markers_->kernel(),
-                          solverBalances_,
-                          rho_,
-                          rho_ * nu_,
-                          readGravity(),
-                          expectedDeltaT(),
-                          readAccuracy(dict),
-                          readCoupling(dict, bodyCoupling::twoWay),
-                          removesOutside(dict, false),
-                          forces_,
-                          effects_};
-    bool feedback = false, inFluid = false;
-    const dictionary& bodies = dict.subDict("bodies");
-    if (bodies.empty()) refuse(dict, "bodies", "{}", "one group and more");
-    for (const word& name : bodies.toc())
-    {
-        if (name == stateEntry || name == "diverged")
-        {
-            refuse(dict, "bodies", "a group " + name,
-                   "other names, as the state has an entry of this name");
-        }
-        // It becomes a file name
-        if (name.find_first_not_of(
-                "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQR"
-                "STUVWXYZ0123456789_-+.") != string::npos)
-        {
-            refuse(dict, "bodies", "a group with the name \"" + name + "\"",
-                   "names of letters, digits and _ - + .");
-        }
-        groups_.append(bodyGroup::New(name, bodies.subDict(name), scene).ptr());
-        feedback = feedback || groups_.last().twoWay();
-        inFluid = inFluid || !groups_.last().alone();
-    }
-
-    // Samples of many bodies at each step would cost a good part of it
-    label nBodies = 0;
-    forAll(groups_, g)
-    {
-        nBodies += groups_[g].nBodies();
-    }
-    sampleInterval_ =
-        dict.getOrDefault<label>("sampleInterval", max(label(1), nBodies / 16));
-    if (sampleInterval_ < 1)
-    {
-        refuse(dict, "sampleInterval", Foam::name(sampleInterval_),
-               "1 and greater");
-    }
-
-    alone_ = !empty() && !inFluid;
-    effects_.declare("interpolation", inFluid,
-                     inFluid ? deltaKernel::names[markers_->kernel().type()] +
-                                   " kernel at face centres"
-                             : word("coupling none"));
-    effects_.declare("spreading", feedback,
-                     !feedback ? "coupling oneWay or none"
-                     : periodicBox()
-                         ? "loads act on the fluid, less their mean, which "
-                           "nothing holds in a box without walls"
-                         : "loads act on the fluid");
-    readViscosityRatios(transport);
-    const dictionary interactions(dict.subOrEmptyDict("interactions"));
-    effects_.declare("interactions", !interactions.empty(),
-                     interactions.empty() ? "none given"
-                                          : "bodies that come close");
-    if (!interactions.empty())
-    {
-        interactions_.reset(
-            new bodyInteractions(interactions, mesh_, groups_, scene));
-    }
-    effects_.declare("places", true,
-                     "bodies that leave their block or the box, or come close");
-    readLoads(dict.subOrEmptyDict("loads"));
-}
-
-void Foam::bodyCollection::readViscosityRatios(const dictionary& transport)
-{
-    // A fluid that does not feel the bodies has its own viscosity everywhere
-    scalarList ratios(groups_.size(), scalar(1));
-    bool unfelt = false;
-    forAll(groups_, g)
-    {
-        const scalar ratio = groups_[g].viscosityRatio();
-        if (groups_[g].twoWay())
-            ratios[g] = ratio;
-        else
-            unfelt = unfelt || ratio != 1;
-    }
-    if (ratios != scalarList(groups_.size(), scalar(1)))
-    {
-        const word model(transport.get<word>("transportModel"));
-        if (model != "Newtonian")
-        {
-            refuse(transport, "transportModel", model,
-                   "Newtonian where bodies have a viscosityRatio");
-        }
-        contrast_.reset(new viscosityContrast(mesh_, nu_, ratios));
-    }
-    effects_.declare("viscosityRatio", bool(contrast_),
-                     contrast_ ? "up to " + Foam::name(max(ratios)) +
-                                     ", down to " + Foam::name(min(ratios))
-                     : unfelt ? string("coupling oneWay: the fluid does not "
-                                       "feel the bodies")
-                              : string("same fluid inside"));
-}
-
-void Foam::bodyCollection::readLoads(const dictionary& loads)
-{
-    wordList names(groups_.size());
-    forAll(groups_, g)
-    {
-        names[g] = groups_[g].name();
-    }
-    for (const word& name : loads.toc())
-    {
-        const dictionary& load = loads.subDict(name);
-        const word group(load.get<word>("group"));
-        const label g = names.find(group);
-        if (g < 0)
-        {
-            refuse(load, "group", group, oneOf(names));
-        }
-        forces_.append(bodyForce::New(load, groups_[g].points(-1)).ptr());
-        effects_.declare(forces_.last().effect(), true, name);
-        if (!groups_[g].takesForces())
-        {
-            refuse(load, "group", group,
-                   "a group that acts on the fluid: capsules that are only "
-                   "carried by it (coupling oneWay) feel no force");
-        }
-    }
-    if (loads.empty()) effects_.declare("loads", false, "none given");
-}
-
-Foam::vector Foam::bodyCollection::readGravity() const
-{
-    const IOobject io("g", mesh_.time().constant(), mesh_, IOobject::MUST_READ,
-                      IOobject::NO_WRITE, false);
-    if (!isThere<uniformDimensionedVectorField>(io)) return Zero;
-    const uniformDimensionedVectorField g(io);
-    checkDimensions(g, dimAcceleration);
-    return g.value();
 }
 
 bool Foam::bodyCollection::stiff() const

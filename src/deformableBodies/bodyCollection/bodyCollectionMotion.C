@@ -20,7 +20,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
                            "step",
                            true);
         }
-        guard_->check(stepGuard::CourantNo(phi));
+        guard_->check(stepGuard::CourantNo(phi), [&]() { diverged_ = true; });
     }
     if (!empty())
     {

@@ -8,6 +8,7 @@
 #include "dictionaryChecks.H"
 #include "fileOperation.H"
 #include "IFstream.H"
+#include "lastStep.H"
 #include <iomanip>
 #include <sstream>
 
@@ -63,12 +64,12 @@ void Foam::bodyCollection::sample()
 
 void Foam::bodyCollection::stop()
 {
-    Time& time = const_cast<Time&>(mesh_.time());
-    Info << "Writing the state before the stop" << endl;
-    time.writeNow();
+    const Time& time = mesh_.time();
+    const string trouble(firstOf(trouble_));
+    lastStep::writeBeforeStop(time, outside_ ? string() : trouble);
     FatalErrorInFunction
         << "a body " << (outside_ ? "left the box" : "diverged") << " at time "
-        << time.timeName() << ": " << firstOf(trouble_).c_str() << nl
+        << time.timeName() << ": " << trouble.c_str() << nl
         << "    What it looked like has been written to time "
         << time.timeName()
         << (outside_ ? "; with outside remove; in its group the run goes on "
@@ -83,7 +84,24 @@ bool Foam::bodyCollection::writeData(Ostream& os) const
     std::ostringstream text;
     text << std::setprecision(17);
     if (diverged_ && !outside_) text << "diverged true;\n";
-    text << stateEntry << "\n{\n";
+    const auto given = [&](const givenEntries& entries)
+    {
+        OStringStream os;
+        for (const auto& e : entries)
+        {
+            os << " (" << e.first() << ' ' << e.second() << ')';
+        }
+        text << "        given (" << os.str() << ");\n";
+    };
+    text << stateEntries[2] << "\n{\n    removed (";
+    for (const word& name : removed_)
+    {
+        text << ' ' << name;
+    }
+    text << " );\n";
+    given(given_.last());
+    text << "}\n" << stateEntries[0] << "\n{\n";
+    label g = 0;
     for (const bodyGroup& group : groups_)
     {
         text << "    " << group.name() << " { type " << group.type() << ';';
@@ -91,7 +109,9 @@ bool Foam::bodyCollection::writeData(Ostream& os) const
         {
             text << ' ' << fact.first() << ' ' << fact.second() << ';';
         }
-        text << " }\n";
+        text << '\n';
+        given(given_[g++]);
+        text << "    }\n";
     }
     text << "}\n";
     forAll(groups_, g)
@@ -195,7 +215,7 @@ Foam::bodyCollection::statesOf(const bodyGroup& group,
     if (!saved.found(name)) differs("no group " + name, "has one");
 
     const dictionary facts(
-        saved.subOrEmptyDict(stateEntry).subOrEmptyDict(name));
+        saved.subOrEmptyDict(stateEntries[0]).subOrEmptyDict(name));
     const word type(facts.getOrDefault<word>("type", group.type()));
     if (type != group.type())
     {
@@ -220,6 +240,61 @@ Foam::bodyCollection::statesOf(const bodyGroup& group,
                 "has " + Foam::name(group.nBodies()));
     }
     return states;
+}
+
+void Foam::bodyCollection::compareEntries(const dictionary& saved,
+                                          const boolList& initial) const
+{
+    const auto before = [&](const label g) -> dictionary
+    {
+        return g == groups_.size() ? saved.subOrEmptyDict(stateEntries[2])
+                                   : saved.subOrEmptyDict(stateEntries[0])
+                                         .subOrEmptyDict(groups_[g].name());
+    };
+    forAll(given_, g)
+    {
+        const dictionary then(before(g));
+        const bool all = g == groups_.size();
+        if (!then.found("given") || (!all && initial[g])) continue;
+
+        string taken, unused;
+        for (changedEntry& change :
+             changes(then.get<givenEntries>("given"), given_[g]))
+        {
+            // What a body was made with
+            string otherwise;
+            if (!all && change.name == "ends") otherwise = "(free free)";
+            if (!all && change.name == "scheme") otherwise = "implicit";
+            if (!otherwise.empty())
+            {
+                if (change.then.empty()) change.then = otherwise;
+                if (change.now.empty()) change.now = otherwise;
+                if (change.then == change.now) continue;
+                FatalIOErrorInFunction(saved)
+                    << "group " << groups_[g].name() << ": entry "
+                    << change.text().c_str() << " in constant/deformableBodies"
+                    << nl << "    allowed: " << change.then.c_str()
+                    << ", or restart initial; in the group to start it from "
+                    << "constant/deformableBodies" << exit(FatalIOError);
+            }
+            const bool atStart =
+                !all && (change.name == "positions" ||
+                         change.name == "directions" || change.name == "bow" ||
+                         change.name.compare(0, 6, "shape.") == 0);
+            string& list = atStart ? unused : taken;
+            list += (list.empty() ? "" : "; ") + change.text();
+        }
+        if (taken.empty() && unused.empty()) continue;
+        const string who(all ? "All groups" : "Group " + groups_[g].name());
+        Info << who.c_str() << ", other than before:";
+        if (!taken.empty()) Info << ' ' << taken.c_str() << " (taken over)";
+        if (!unused.empty())
+        {
+            Info << (taken.empty() ? " " : "; ") << unused.c_str()
+                 << " (of the start only: no effect, the bodies continue)";
+        }
+        Info << nl;
+    }
 }
 
 void Foam::bodyCollection::readState(const IOdictionary& dict)
@@ -255,16 +330,36 @@ void Foam::bodyCollection::readState(const IOdictionary& dict)
         if (saved.getOrDefault<bool>("diverged", false))
         {
             FatalIOErrorInFunction(saved)
-                << "this state was written because a body diverged" << nl
+                << "this state was written because the run diverged" << nl
                 << "    allowed: an earlier time to start from"
                 << exit(FatalIOError);
         }
+        const auto isGroup = [&](const word& name)
+        { return !saved.isDict(name) && !stateEntries.found(name); };
+        const wordList removed(
+            dict.getOrDefault<wordList>("removed", wordList()));
+        removed_ = saved.subOrEmptyDict(stateEntries[2])
+                       .getOrDefault<wordList>("removed", wordList());
+        for (const word& name : removed)
+        {
+            if (removed_.found(name)) continue;
+            wordList others;
+            for (const word& other : saved.toc())
+            {
+                if (isGroup(other)) others.append(other);
+            }
+            if (!others.found(name))
+            {
+                refuse(dict, "removed", name,
+                       "groups of the state, " + oneOf(others));
+            }
+            removed_.append(name);
+        }
         wordList known(names);
-        known.append(dict.getOrDefault<wordList>("removed", wordList()));
+        known.append(removed);
         for (const word& name : saved.toc())
         {
-            if (saved.isDict(name) || name == "diverged" || known.found(name))
-                continue;
+            if (!isGroup(name) || known.found(name)) continue;
             FatalIOErrorInFunction(saved)
                 << "the state has a group " << name
                 << ", constant/deformableBodies none" << nl
@@ -274,6 +369,7 @@ void Foam::bodyCollection::readState(const IOdictionary& dict)
         }
     }
 
+    if (found) compareEntries(saved, initial);
     forAll(groups_, g)
     {
         const bool continues = found && !initial[g];

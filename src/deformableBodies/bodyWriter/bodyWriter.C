@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <set>
 
@@ -161,9 +163,10 @@ Foam::bodySurface Foam::bodyWriter::surface(const bodyGroup& group,
 }
 
 // The pictures up to now that a series names and that are there. seriesWriter
-// ends the run where it cannot read the file
+// ends the run where it cannot read the file. next: the number after the last
 static Foam::vtk::seriesWriter seriesBefore(const Foam::fileName& file,
-                                            const Foam::scalar now)
+                                            const Foam::scalar now,
+                                            Foam::label* next = nullptr)
 {
     using namespace Foam;
     vtk::seriesWriter series;
@@ -181,9 +184,14 @@ static Foam::vtk::seriesWriter seriesBefore(const Foam::fileName& file,
             end > 0 && time < now - ROOTVSMALL && isFile(file.path() / name))
         {
             series.append(time, fileName(name));
+            const char* number = std::strrchr(name, '_');
+            if (next && number)
+            {
+                *next = max(*next, label(std::atol(number + 1)) + 1);
+            }
         }
     }
-    if (!complete)
+    if (!complete && !next)
     {
         WarningInFunction << "file " << file.c_str()
                           << " is damaged: the series starts again with what "
@@ -192,10 +200,27 @@ static Foam::vtk::seriesWriter seriesBefore(const Foam::fileName& file,
     return series;
 }
 
+// The number of time steps is lost with <time>/uniform/time
+Foam::label Foam::bodyWriter::shift(const scalar now,
+                                    const label timeIndex) const
+{
+    label next = 0;
+    if (now <= 0) return next;
+    forAll(groups_, g)
+    {
+        seriesBefore(pictures_ / groups_[g].name() + ".vtp.series", now, &next);
+    }
+    if (next <= timeIndex) return 0;
+    Info << "Pictures go on with number " << next << ", as there are some of "
+         << "earlier times; time steps count from " << timeIndex << nl;
+    return next - timeIndex;
+}
+
 void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
 {
     const auto timing(effects_.time("pictures"));
     const fileName& dir = pictures_;
+    if (Pstream::master() && shift_ < 0) shift_ = shift(now, timeIndex);
 
     forAll(groups_, g)
     {
@@ -216,7 +241,8 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
             UIndirectList<label>(owner, ofRanks[proci]) = proci;
         }
 
-        const fileName stem(dir / group.name() + "_" + Foam::name(timeIndex));
+        const fileName stem(dir / group.name() + "_" +
+                            Foam::name(shift_ + timeIndex));
         std::unique_ptr<bodyPicture> picture;
         if (Pstream::master())
         {

@@ -36,7 +36,8 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                "oneWay or twoWay: capsules move with the fluid");
     }
 
-    const dictionary& shape = dict.subDict("shape");
+    const dictionary& shape =
+        readDict(dict, "shape", "type sphere; radius 1e-6;");
     const label moved = degreeOfMesh(shape);
     const label degree = dict.getOrDefault<label>(
         "harmonics",
@@ -116,14 +117,17 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
         refuse(dict, "prestress", Foam::name(prestress), "greater than -1");
     }
     numbers stressFree(dict.found("stressFree")
-                           ? initialShape(dict.subDict("stressFree"), fine)
+                           ? initialShape(readDict(dict, "stressFree",
+                                                   "type sphere; radius 1e-6;"),
+                                          fine)
                            : initial);
     for (double& x : stressFree)
     {
         x /= 1 + prestress;
     }
-    membrane_.reset(new membrane(degree, label(dealiasing * degree) + 1,
-                                 dict.subDict("membrane"), stressFree));
+    membrane_.reset(new membrane(
+        degree, label(dealiasing * degree) + 1,
+        readDict(dict, "membrane", "law neoHookean; Gs 1e-6;"), stressFree));
 
     xt_.resize(3 * membrane_->harmonics().nPoints());
     xp_.resize(xt_.size());
@@ -135,7 +139,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     referenceArea_ = reference.area;
     radius_ = std::cbrt(0.75 / constant::mathematical::pi * referenceVolume_);
 
-    const dictionary bend(dict.subOrEmptyDict("bending"));
+    const dictionary& bend = readDictIfThere(dict, "bending", "modulus 1e-19;");
     checkEntries(bend, {"modulus", "reference"});
     if (dict.found("bending") &&
         dimensionedScalar("modulus", dimForce * dimLength, bend).value() != 0)
@@ -246,6 +250,10 @@ void Foam::capsuleGroup::judgeSize(const dictionary& dict) const
     });
     if (twoWay())
     {
+        ratios.append({"viscosityRatio", "viscosityRatio", viscosityRatio_, 0,
+                       GREAT, 0.1, 10,
+                       "it has been validated from 0.2 to 5; beyond, the mesh "
+                       "smooths the step of the viscosity"});
         ratios.append({"positions", "volume fraction",
                        nBodies() * referenceVolume_ / cmptProduct(L), 0, 1, 0,
                        0.7,

@@ -59,6 +59,14 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
                    ", limit 30";
         }
     }
+    const scalar thickness = dict.found("thickness")
+                                 ? readPositive(dict, "thickness", dimless)
+                                 : 0.01;
+    if (motion != PENALTY && dict.found("thickness"))
+    {
+        refuse(dict, "thickness", Foam::name(thickness),
+               "motion penalty; with it, the others have none");
+    }
     if (motion == STABILISED)
     {
         maxDeltaT_ = GREAT;
@@ -70,9 +78,6 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
     }
     else if (motion == PENALTY)
     {
-        const scalar thickness = dict.found("thickness")
-                                     ? readPositive(dict, "thickness", dimless)
-                                     : 0.01;
         stabilised_.reset();
         penalty_.reset(
             new penaltyMotion(thickness * scene_.rho * radius_, radius_));

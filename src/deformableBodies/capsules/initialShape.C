@@ -3,6 +3,7 @@
 #include "initialShape.H"
 #include "dictionaryChecks.H"
 #include "IFstream.H"
+#include "OSspecific.H"
 #include "transform.H"
 #include "triSurface.H"
 #include "triSurfaceSearch.H"
@@ -11,6 +12,21 @@
 namespace
 {
 using namespace Foam;
+
+//- Entry file of a shape, which must be there
+fileName fileOf(const dictionary& dict)
+{
+    const fileName given(dict.get<fileName>("file"));
+    const fileName file(fileName(given).expand());
+    if (!isFile(file))
+    {
+        refuse(dict, "file", given,
+               "a file that can be read; without / at its start it is looked "
+               "for in the folder where the program was started, " +
+                   cwd());
+    }
+    return file;
+}
 
 //- A closed triangulated surface, star-shaped about its centre of volume
 class starSurface
@@ -35,8 +51,7 @@ class starSurface
 public:
     explicit starSurface(const dictionary& dict)
         : dict_(dict),
-          surface_(dict.get<fileName>("file").expand(),
-                   dict.getOrDefault<scalar>("scale", 1)),
+          surface_(fileOf(dict), dict.getOrDefault<scalar>("scale", 1)),
           search_(surface_)
     {
         for (const labelList& faces : surface_.edgeFaces())
@@ -95,12 +110,11 @@ public:
 void savedShape(const dictionary& dict, const sphericalHarmonics& grid,
                 std::vector<double>& coeffs)
 {
-    const fileName file(dict.get<fileName>("file").expand());
+    const fileName file(fileOf(dict));
     const auto refuseState = [&](const string& why)
     { refuse(dict, "file", file, "a state of bodies with " + why); };
 
     IFstream is(file);
-    if (!is.good()) refuse(dict, "file", file, "a file that can be read");
     const dictionary saved(is);
     const word group(dict.get<word>("group"));
     if (!saved.found(group)) refuseState("a group " + group);

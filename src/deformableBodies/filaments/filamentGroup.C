@@ -157,7 +157,18 @@ void Foam::filamentGroup::readStart(const dictionary& dict)
                             properties_.ends[1] != filament::FREE;
     for (const vector& t : directions_)
     {
-        if (!(mag(t) > 0)) refuse(dict, "directions", "(0 0 0)", "directions");
+        if (!(mag(t) > 0))
+        {
+            refuse(dict, "directions", "(0 0 0)",
+                   "directions of any length but 0, such as (1 0 0)");
+        }
+        if (mag(bow_) > 0 && !(mag(bow_ ^ t) > 1e-6 * mag(bow_) * mag(t)))
+        {
+            OStringStream given;
+            given << bow_;
+            refuse(dict, "bow", given.str(),
+                   "a bow across the direction of the filament");
+        }
 
         // Held and straight, any tension would do
         if (heldAtBoth && !(mag(bow_ ^ t) > 1e-6 * properties_.length * mag(t)))
@@ -185,8 +196,14 @@ void Foam::filamentGroup::judgeSize(const dictionary& dict) const
             {"diameter",
              "diameter/(diameter that the fluid feels, " +
                  Foam::name(thickness_ / h_) + " h)",
-             diameter / thickness_, 0, 3, 0, 1.5,
-             "the drag is that of a thinner fibre: use larger cells"});
+             diameter / thickness_, 0, 3, 0.5, 1.5,
+             diameter > thickness_
+                 ? "the drag is that of a thinner fibre: use larger cells"
+                 : "the drag is that of a thicker fibre, only mass and weight "
+                   "are those of the diameter: use cells of " +
+                       Foam::name(diameter * h_ / thickness_) +
+                       ", or coupling oneWay, where drag is that of the "
+                       "diameter"});
     }
     judge(dict, ratios);
 }
@@ -245,7 +262,8 @@ void Foam::filamentGroup::readCouplingEntries(const dictionary& dict)
     properties_.dragRatio = 1;
     if (dict.found("baseMotion"))
     {
-        const dictionary& motion = dict.subDict("baseMotion");
+        const dictionary& motion = readDict(
+            dict, "baseMotion", "displacement sine; displacementCoeffs {...}");
         checkEntries(motion, {"displacement"});
         if (properties_.ends[movedEnd()] == filament::FREE)
         {
@@ -269,11 +287,12 @@ void Foam::filamentGroup::readCouplingEntries(const dictionary& dict)
 
     const scalar pi = constant::mathematical::pi, L = properties_.length;
     const scalar slender = std::log(2 * L / thickness_);
-    if (twoWay() ? L < 3 * h_ : slender < 1.807)
+    if (twoWay() ? L < 3 * h_ * (1 - 1e-9) : slender < 1.807)
     {
         refuse(dict, twoWay() ? "length" : "diameter",
                Foam::name(twoWay() ? L : thickness_),
-               twoWay() ? "3 cells and more, as it is 1.5 to 2 cells thick"
+               twoWay() ? "3 cells and more, " + Foam::name(3 * h_) +
+                              " m here, as it is 1.5 to 2 cells thick"
                         : "less than " + Foam::name(2 * L / std::exp(1.807)) +
                               " at this length, for the drag of a slender "
                               "body");

@@ -23,6 +23,8 @@ Foam::fv::deformableBodiesSource::deformableBodiesSource(const word& name,
       phiName_(coeffs_.getOrDefault<word>("phi", "phi")),
       bodies_(bodyCollection::New(mesh))
 {
+    checkEntries(coeffs_, {"type", "active", "U", "phi", "log",
+                           word(typeName + "Coeffs")});
     label nOptions = 0;
     for (const entry& e : dict.parent())
     {

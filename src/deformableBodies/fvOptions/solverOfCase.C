@@ -3,9 +3,10 @@
 Description
     A solver with libs (deformableBodies); moves bodies only if it applies
     fvOptions and these name the bodies. Otherwise nobody would look at
-    constant/deformableBodies. So when the library is loaded into the program that
-    is the case's application, it looks whether that is so. (Utilities load the
-    library as well; they are not the application.)
+    constant/deformableBodies. So when the library is loaded into a solver, it looks
+    whether that is so. Utilities load the library as well: a solver is the case's
+    application, or what has a name as solvers of OpenFOAM have, with Foam at its
+    end; not the converters, ...ToFoam, nor potentialFoam, which makes a start.
 */
 
 #include "error.H"
@@ -15,6 +16,7 @@ Description
 #include <sstream>
 #ifdef __linux__
 #include <link.h>
+#include <unistd.h>
 #endif
 
 namespace
@@ -41,6 +43,34 @@ word applicationOf(const fileName& caseDir)
         }
     }
     return word::null;
+}
+
+//- Name of the program that runs. OpenFOAM keeps a FOAM_EXECUTABLE that it finds,
+//  such as that of a program which started this one
+word nameOfProgram()
+{
+#ifdef __linux__
+    char path[4096];
+    const ssize_t n = ::readlink("/proc/self/exe", path, sizeof(path));
+    if (n > 0)
+    {
+        return word(fileName(std::string(path, size_t(n))).name(), false);
+    }
+#endif
+    return word(getEnv("FOAM_EXECUTABLE"), false);
+}
+
+bool isSolver(const word& program, const fileName& caseDir)
+{
+    const auto endsWith = [&](const std::string& end)
+    {
+        return program.size() >= end.size() &&
+               program.compare(program.size() - end.size(), end.size(), end) ==
+                   0;
+    };
+    return applicationOf(caseDir) == program ||
+           (endsWith("Foam") && !endsWith("ToFoam") &&
+            !endsWith("otentialFoam"));
 }
 
 //- Has the program linked fvOptions, rather than this library? Objects are listed
@@ -78,9 +108,9 @@ struct solverOfCase
     solverOfCase()
     {
         const fileName dir(getEnv("FOAM_CASE"));
-        const word program(getEnv("FOAM_EXECUTABLE"));
+        const word program(nameOfProgram());
         if (dir.empty() || !isFile(dir / "constant" / "deformableBodies") ||
-            applicationOf(dir) != program || program == "deformableBodyFoam")
+            program == "deformableBodyFoam" || !isSolver(program, dir))
         {
             return;
         }

@@ -74,3 +74,52 @@ Foam::string Foam::flowAlgorithm::obstacle(const volVectorField& U,
     }
     return all;
 }
+
+void Foam::flowAlgorithm::checkControls(const dictionary& controls,
+                                        const dictionary& schemes) const
+{
+    const wordList own({"flowAlgorithm", "timeScheme", "diffusion",
+                        "convection", "pRefCell", "pRefPoint", "pRefValue"});
+    const wordList ofPimple({"nOuterCorrectors", "nCorrectors",
+                             "nNonOrthogonalCorrectors", "momentumPredictor",
+                             "residualControl", "solveFlow", "SIMPLErho",
+                             "turbOnFinalIterOnly", "transonic", "consistent",
+                             "frozenFlow", "correctPhi", "checkMeshCourantNo",
+                             "moveMeshOuterCorrectors", "ddtCorr"});
+    wordList unknown;
+    for (const word& name : controls.toc())
+    {
+        if (!own.found(name) && !ofPimple.found(name)) unknown.append(name);
+    }
+    if (unknown.size())
+    {
+        wordList known(own);
+        known.append(ofPimple);
+        IOWarningInFunction(controls)
+            << "unknown entries, which have no effect: "
+            << oneOf(unknown).c_str() << nl << "    known are "
+            << oneOf(known).c_str() << endl;
+    }
+    if (!staggered()) return;
+
+    string unused;
+    const auto add = [&](const string& what)
+    { unused += (unused.empty() ? "" : ", ") + what; };
+    for (const entry& e : schemes.subOrEmptyDict("ddtSchemes"))
+    {
+        if (!e.isStream()) continue;
+        const string scheme(e.stream().toString());
+        if (scheme != "Euler" && scheme != "none")
+        {
+            add("ddtSchemes " + e.keyword() + ' ' + scheme);
+        }
+    }
+    const label outer = controls.getOrDefault<label>("nOuterCorrectors", 1);
+    if (outer > 1) add("nOuterCorrectors " + Foam::name(outer));
+    if (controls.found("momentumPredictor")) add("momentumPredictor");
+    if (unused.empty()) return;
+    Info << "Flow algorithm staggered does not use " << unused.c_str()
+         << ": its time scheme is timeScheme "
+         << controls.getOrDefault<word>("timeScheme", "AB2")
+         << " in PIMPLE, in one pass a step" << nl << endl;
+}

@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "flowSources.H"
+#include "dictionaryChecks.H"
 #include "fvMatrices.H"
 #include "lowModeForcing.H"
 #include "resultFile.H"
@@ -84,6 +85,47 @@ Foam::string Foam::flowSources::unsupported(const fv::option& o,
         return "fvOption " + o.name() + " has an implicit part";
     }
     return string::null;
+}
+
+void Foam::flowSources::checkFields(const fv::optionList& options,
+                                    const volVectorField& U)
+{
+    const uniformGrid& grid = uniformGrid::New(U.mesh());
+    for (const fv::option& o : static_cast<const PtrList<fv::option>&>(options))
+    {
+        const dictionary& coeffs = o.coeffs();
+        if (o.applyToField(U.name()) < 0)
+        {
+            const entry* fields = coeffs.findEntry("fields");
+            const string what("option " + o.name() + " of type " + o.type());
+            if (fields && (o.type() == "meanVelocityForce" ||
+                           explicitTypes.found(o.type())))
+            {
+                refuse(coeffs, "fields", valueOf(*fields),
+                       "(" + U.name() + "), as " + what +
+                           " acts on no other field of this solver");
+            }
+            IOWarningInFunction(coeffs)
+                << what.c_str() << " does not act on " << U.name()
+                << ", but on "
+                << (fields ? valueOf(*fields) : string("other fields")).c_str()
+                << ": it has no effect unless something solves for these"
+                << endl;
+            continue;
+        }
+        if (o.type() != "meanVelocityForce" || !grid.valid()) continue;
+        const vector Ubar(coeffs.get<vector>("Ubar"));
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (grid.periodic(d) || !(mag(Ubar[d]) > 1e-9 * mag(Ubar)))
+                continue;
+            refuse(
+                coeffs, "Ubar", valueOf(*coeffs.findEntry("Ubar")),
+                string("velocities along periodic directions; the sides in ") +
+                    vector::componentNames[d] + " of fvOption " + o.name() +
+                    " are walls, or open and have a flow of their own");
+        }
+    }
 }
 
 Foam::string Foam::flowSources::unsupported(const fv::optionList& options,

@@ -19,5 +19,5 @@ Foam::interactionModel::New(const word& name, const dictionary& interactions,
         refuse(interactions, name, "{...}",
                "models " + oneOf(dictionaryConstructorTablePtr_->sortedToc()));
     }
-    return cstr()(interactions.subDict(name), scene);
+    return cstr()(readDict(interactions, name, "range 1e-6;"), scene);
 }

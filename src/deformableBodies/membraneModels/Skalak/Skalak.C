@@ -18,7 +18,12 @@ Foam::membraneModels::Skalak::Skalak(const dictionary& dict)
       C_(dict.get<scalar>("C"))
 {
     checkEntries(dict, {"law", "Gs", "C"});
-    if (!(C_ >= 0)) refuse(dict, "C", Foam::name(C_), "0 and greater");
+    if (!(C_ >= 0 && C_ <= 1e6))
+    {
+        refuse(dict, "C", Foam::name(C_),
+               "0 and greater, up to 1e6: no membrane resists more, and time "
+               "steps become as short");
+    }
 }
 
 void Foam::membraneModels::Skalak::evaluate(const label n, const double* I1,

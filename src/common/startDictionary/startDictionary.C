@@ -1,0 +1,37 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "startDictionary.H"
+#include "fileOperation.H"
+#include "Time.H"
+
+// Beside those that are read again, which are registered with the mesh
+Foam::startDictionary::startDictionary(const objectRegistry& mesh,
+                                       const word& name, const string& who)
+    : IOdictionary(IOobject(name, mesh.time().constant(), mesh.dbDir(),
+                            mesh.time(), IOobject::MUST_READ_IF_MODIFIED,
+                            IOobject::NO_WRITE)),
+      who_(who)
+{
+    // Lists of many bodies need not be kept
+    clear();
+}
+
+bool Foam::startDictionary::readIfModified()
+{
+    if (!modified()) return false;
+    for (const label watch : watchIndices())
+    {
+        fileHandler().setUnmodified(watch);
+    }
+    if (!said_ && Pstream::master())
+    {
+        WarningInFunction
+            << "file " << objectPath().c_str()
+            << " has changed, or one that it includes: it is read at the "
+            << "start only, and " << who_.c_str()
+            << " with what it had then. Stop and start again from a written "
+            << "time to use the new entries" << endl;
+    }
+    said_ = true;
+    return false;
+}

@@ -1,0 +1,206 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+// What the dictionaries of a case say of its bodies
+
+#include "bodyCollection.H"
+#include "caseFiles.H"
+#include "dictionaryChecks.H"
+#include "uniformDimensionedFields.H"
+
+void Foam::bodyCollection::requireTimeSteps() const
+{
+    const dictionary schemes(mesh_.schemesDict().subOrEmptyDict("ddtSchemes"));
+    for (const entry& e : schemes)
+    {
+        if (!e.isStream()) continue;
+        const string scheme(e.stream().toString());
+        for (const word notInTime :
+             {"steadyState", "localEuler", "CoEuler", "SLTS"})
+        {
+            if (scheme.find(notInTime) == string::npos) continue;
+            refuse(schemes, e.keyword(), scheme,
+                   "Euler, backward or CrankNicolson: bodies move in time, so "
+                   "that solvers of steady flow cannot carry them");
+        }
+    }
+}
+
+void Foam::bodyCollection::read(const IOdictionary& dict)
+{
+    const wordList beside({"sampleInterval", "accuracy", "kernel", "coupling",
+                           "interactions", "loads", "wrap", "restart",
+                           "removed", "outside"});
+    wordList allowed({"FoamFile", "variables", "bodies"});
+    allowed.append(beside);
+    checkEntries(dict, allowed);
+
+    const IOdictionary transport(
+        IOobject("transportProperties", mesh_.time().constant(), mesh_,
+                 IOobject::MUST_READ, IOobject::NO_WRITE, false));
+    rho_ = readPositive(transport, "rho", dimDensity);
+    nu_ = readPositive(transport, "nu", dimViscosity);
+
+    neighbours_.reset(new blockNeighbours(grid_));
+    ownership_.reset(new bodyOwnership(*neighbours_));
+    markers_.reset(new markerSet(grid_, deltaKernel(dict), *neighbours_));
+
+    const bodyScene scene{grid_,
+                          markers_->kernel(),
+                          solverBalances_,
+                          rho_,
+                          rho_ * nu_,
+                          readGravity(),
+                          expectedDeltaT(),
+                          readAccuracy(dict),
+                          readCoupling(dict, bodyCoupling::twoWay),
+                          removesOutside(dict, false),
+                          forces_,
+                          effects_};
+    bool feedback = false, inFluid = false;
+    const dictionary& bodies =
+        readDict(dict, "bodies", "cells { type capsule; ... }");
+    if (bodies.empty()) refuse(dict, "bodies", "{}", "one group and more");
+    const wordList notOfGroups({"restart", "type"});
+    for (const word& name : bodies.toc())
+    {
+        const dictionary* isGroup = bodies.findDict(name, keyType::LITERAL);
+        if (beside.found(name) && !(isGroup && isGroup->found("type")))
+        {
+            refuse(bodies, name, valueOf(*bodies.findEntry(name)),
+                   "groups of bodies; " + name +
+                       " belongs beside bodies {...}, "
+                       "not into it");
+        }
+        if (stateEntries.found(name))
+        {
+            refuse(dict, "bodies", "a group " + name,
+                   "other names, as the state has an entry of this name");
+        }
+        // It becomes a file name
+        if (name.find_first_not_of(
+                "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQR"
+                "STUVWXYZ0123456789_-+.") != string::npos)
+        {
+            refuse(dict, "bodies", "a group with the name \"" + name + "\"",
+                   "names of letters, digits and _ - + .");
+        }
+        const dictionary& group = readDict(bodies, name, "type capsule; ...");
+        groups_.append(bodyGroup::New(name, group, scene).ptr());
+        given_.append(entriesOf(group, notOfGroups));
+        feedback = feedback || groups_.last().twoWay();
+        inFluid = inFluid || !groups_.last().alone();
+    }
+
+    // Samples of many bodies at each step would cost a good part of it
+    label nBodies = 0;
+    forAll(groups_, g)
+    {
+        nBodies += groups_[g].nBodies();
+    }
+    sampleInterval_ =
+        dict.getOrDefault<label>("sampleInterval", max(label(1), nBodies / 16));
+    if (sampleInterval_ < 1)
+    {
+        refuse(dict, "sampleInterval", Foam::name(sampleInterval_),
+               "1 and greater");
+    }
+
+    alone_ = !empty() && !inFluid;
+    effects_.declare("interpolation", inFluid,
+                     inFluid ? deltaKernel::names[markers_->kernel().type()] +
+                                   " kernel at face centres"
+                             : word("coupling none"));
+    effects_.declare("spreading", feedback,
+                     !feedback ? "coupling oneWay or none"
+                     : periodicBox()
+                         ? "loads act on the fluid, less their mean, which "
+                           "nothing holds in a box without walls"
+                         : "loads act on the fluid");
+    readViscosityRatios(transport);
+    given_.append(entriesOf(dict, {"FoamFile", "variables", "bodies", "restart",
+                                   "removed", "sampleInterval", "wrap"}));
+    const dictionary& interactions =
+        readDictIfThere(dict, "interactions", "repulsion {}");
+    effects_.declare("interactions", !interactions.empty(),
+                     interactions.empty() ? "none given"
+                                          : "bodies that come close");
+    if (!interactions.empty())
+    {
+        interactions_.reset(
+            new bodyInteractions(interactions, mesh_, groups_, scene));
+    }
+    effects_.declare("places", true,
+                     "bodies that leave their block or the box, or come close");
+    readLoads(
+        readDictIfThere(dict, "loads", "pull { type deadLoad; group ...; }"));
+}
+
+void Foam::bodyCollection::readViscosityRatios(const dictionary& transport)
+{
+    // A fluid that does not feel the bodies has its own viscosity everywhere
+    scalarList ratios(groups_.size(), scalar(1));
+    bool unfelt = false;
+    forAll(groups_, g)
+    {
+        const scalar ratio = groups_[g].viscosityRatio();
+        if (groups_[g].twoWay())
+            ratios[g] = ratio;
+        else
+            unfelt = unfelt || ratio != 1;
+    }
+    if (ratios != scalarList(groups_.size(), scalar(1)))
+    {
+        const word model(transport.get<word>("transportModel"));
+        if (model != "Newtonian")
+        {
+            refuse(transport, "transportModel", model,
+                   "Newtonian where bodies have a viscosityRatio");
+        }
+        contrast_.reset(new viscosityContrast(mesh_, nu_, ratios));
+    }
+    effects_.declare("viscosityRatio", bool(contrast_),
+                     contrast_ ? "up to " + Foam::name(max(ratios)) +
+                                     ", down to " + Foam::name(min(ratios))
+                     : unfelt ? string("coupling oneWay: the fluid does not "
+                                       "feel the bodies")
+                              : string("same fluid inside"));
+}
+
+void Foam::bodyCollection::readLoads(const dictionary& loads)
+{
+    wordList names(groups_.size());
+    forAll(groups_, g)
+    {
+        names[g] = groups_[g].name();
+    }
+    for (const word& name : loads.toc())
+    {
+        const dictionary& load =
+            readDict(loads, name, "type deadLoad; group ...; force (0 -1 0);");
+        const word group(load.get<word>("group"));
+        const label g = names.find(group);
+        if (g < 0)
+        {
+            refuse(load, "group", group, oneOf(names));
+        }
+        forces_.append(bodyForce::New(load, groups_[g].points(-1)).ptr());
+        effects_.declare(forces_.last().effect(), true, name);
+        if (!groups_[g].takesForces())
+        {
+            refuse(load, "group", group,
+                   "a group that acts on the fluid: capsules that are only "
+                   "carried by it (coupling oneWay) feel no force");
+        }
+    }
+    if (loads.empty()) effects_.declare("loads", false, "none given");
+}
+
+Foam::vector Foam::bodyCollection::readGravity() const
+{
+    const IOobject io("g", mesh_.time().constant(), mesh_, IOobject::MUST_READ,
+                      IOobject::NO_WRITE, false);
+    if (!isThere<uniformDimensionedVectorField>(io)) return Zero;
+    const uniformDimensionedVectorField g(io);
+    checkDimensions(g, dimAcceleration);
+    return g.value();
+}
