@@ -206,18 +206,20 @@ void Foam::lineSolver::sweep(double* x, const label m, const label stride,
     const label n = box_.size[dir_];
     for (label j = 0; j < n; ++j)
     {
-        double* __restrict__ xj = x + j * stride;
-        const double* __restrict__ xm = xj - stride;
+        double* xj = x + j * stride;
+        const double* xm = xj - stride;
         const double r = piece_->r[j], b = beta_;
         const double w = (j == 0 ? lower : 0) + (j == n - 1 ? upper : 0);
         if (j == 0)
         {
+#pragma GCC ivdep
             for (label i = 0; i < m; ++i)
             {
                 xj[i] = (xj[i] + w) * r;
             }
             continue;
         }
+#pragma GCC ivdep
         for (label i = 0; i < m; ++i)
         {
             xj[i] = (xj[i] + w + b * xm[i]) * r;
@@ -225,9 +227,10 @@ void Foam::lineSolver::sweep(double* x, const label m, const label stride,
     }
     for (label j = n - 2; j >= 0; --j)
     {
-        double* __restrict__ xj = x + j * stride;
-        const double* __restrict__ xp = xj + stride;
+        double* xj = x + j * stride;
+        const double* xp = xj + stride;
         const double c = piece_->c[j];
+#pragma GCC ivdep
         for (label i = 0; i < m; ++i)
         {
             xj[i] += c * xp[i];
@@ -244,7 +247,8 @@ void Foam::lineSolver::beyond(const double* ends, const label size,
     for (size_t k = 0; k < beforeFrom_.size(); ++k)
     {
         const double b = beforeFrom_[k], a = afterFrom_[k];
-        const double* __restrict__ y = ends + k * size;
+        const double* y = ends + k * size;
+#pragma GCC ivdep
         for (label i = 0; i < m; ++i)
         {
             before[i] += b * y[i];
@@ -260,8 +264,9 @@ void Foam::lineSolver::correct(double* x, const label m, const label stride,
     for (label j = 0; j < n; ++j)
     {
         if (j >= reach_ && j < n - reach_) j = n - reach_;
-        double* __restrict__ xj = x + j * stride;
+        double* xj = x + j * stride;
         const double b = piece_->before[j], a = piece_->after[j];
+#pragma GCC ivdep
         for (label i = 0; i < m; ++i)
         {
             xj[i] += b * before[i] + a * after[i];
@@ -289,25 +294,29 @@ void Foam::lineSolver::parts(double* x, Visit visit)
     }
     else
     {
-        // Lines along memory: turn a plane on its side, so that the sweep
-        // runs over neighbours
-        plane_.resize(nx * ny);
-        for (label k = 0; k < nz; ++k)
+        // Lines along memory: some at a time, turned on their side so that the
+        // sweep runs over neighbours, all of them in the cache
+        const label wide = 32;
+        turned_.resize(nx * wide);
+        for (label line = 0; line < ny * nz; line += wide)
         {
-            double* plane = x + k * nx * ny;
-            for (label j = 0; j < ny; ++j)
+            double* lines = x + line * nx;
+            const label m = min(wide, ny * nz - line);
+            for (label i = 0; i < nx; ++i)
             {
-                for (label i = 0; i < nx; ++i)
+                double* across = turned_.data() + i * wide;
+                for (label j = 0; j < m; ++j)
                 {
-                    plane_[i * ny + j] = plane[j * nx + i];
+                    across[j] = lines[i + j * nx];
                 }
             }
-            visit(plane_.data(), ny, ny, k * ny);
-            for (label j = 0; j < ny; ++j)
+            visit(turned_.data(), m, wide, line);
+            for (label j = 0; j < m; ++j)
             {
+                const double* across = turned_.data() + j;
                 for (label i = 0; i < nx; ++i)
                 {
-                    plane[j * nx + i] = plane_[i * ny + j];
+                    lines[i + j * nx] = across[i * wide];
                 }
             }
         }
