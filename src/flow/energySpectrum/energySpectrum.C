@@ -71,8 +71,7 @@ bool Foam::functionObjects::energySpectrum::execute()
     const scalar nAll = scalar(t.nFast) * t.nSlow * t.nThird;
 
     // By mode of one direction: wave number (true, of the second difference)
-    // squared, and weight of a square in the mean: that of its conjugate as well
-    // unless all are there
+    // squared, and weight of a square in the mean, with its conjugate if not all are
     struct line
     {
         scalarField k2, modified2, weight;

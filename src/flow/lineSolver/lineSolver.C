@@ -207,18 +207,9 @@ void Foam::lineSolver::sweep(double* x, const label m, const label stride,
     for (label j = 0; j < n; ++j)
     {
         double* xj = x + j * stride;
-        const double* xm = xj - stride;
-        const double r = piece_->r[j], b = beta_;
+        const double* xm = j ? xj - stride : xj;
+        const double r = piece_->r[j], b = j ? beta_ : 0;
         const double w = (j == 0 ? lower : 0) + (j == n - 1 ? upper : 0);
-        if (j == 0)
-        {
-#pragma GCC ivdep
-            for (label i = 0; i < m; ++i)
-            {
-                xj[i] = (xj[i] + w) * r;
-            }
-            continue;
-        }
 #pragma GCC ivdep
         for (label i = 0; i < m; ++i)
         {
@@ -278,18 +269,12 @@ template<class Visit>
 void Foam::lineSolver::parts(double* x, Visit visit)
 {
     const label nx = box_.size.x(), ny = box_.size.y(), nz = box_.size.z();
-    if (dir_ == 2)
+    if (dir_)
     {
-        for (label j = 0; j < ny; ++j)
+        const bool z = dir_ == 2;
+        for (label k = 0; k < (z ? ny : nz); ++k)
         {
-            visit(x + j * nx, nx, nx * ny, j * nx);
-        }
-    }
-    else if (dir_ == 1)
-    {
-        for (label k = 0; k < nz; ++k)
-        {
-            visit(x + k * nx * ny, nx, nx, k * nx);
+            visit(x + k * (z ? nx : nx * ny), nx, z ? nx * ny : nx, k * nx);
         }
     }
     else

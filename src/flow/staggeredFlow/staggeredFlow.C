@@ -325,8 +325,7 @@ void Foam::staggeredFlow::restore(const snapshot& s)
 
 Foam::scalar Foam::staggeredFlow::CourantNo(const scalar dt) const
 {
-    // The largest of each place in a row, as these do not wait for each other. What
-    // is no number stays: a maximum alone does not see it
+    // Largest by place in a row: these do not wait for each other. NaN stays
     const vector r(1 / grid_.h().x(), 1 / grid_.h().y(), 1 / grid_.h().z());
     array rates(box_.size.x(), 0);
     block_.rows(

@@ -3,13 +3,15 @@
 // The arithmetic of a time step: one kernel for the three components
 
 #include "staggeredFlow.H"
+#include <numeric>
 
 // Increments of a row of cells, component D, without the implicit factors, in
 // place of the force; the new explicit terms replace the last ones. All nine
 // convective fluxes have one form: the component E that carries, averaged along D,
 // times component D averaged along E
 template<int D, bool Convection, bool Variable>
-void Foam::staggeredFlow::makeIncrement(const factors& f, const label q,
+void Foam::staggeredFlow::makeIncrement(const vector& r, const scalar dt,
+                                        const stage& s, const label q,
                                         const label n)
 {
     const label nx = box_.size.x();
@@ -17,13 +19,15 @@ void Foam::staggeredFlow::makeIncrement(const factors& f, const label q,
     const label s0 = 1, s1 = block_.stride(1), s2 = block_.stride(2);
     const label sD = block_.stride(D), sE = block_.stride(E),
                 sG = block_.stride(G);
-    const double r0 = f.r[0], r1 = f.r[1], r2 = f.r[2];
+    const double r0 = r[0], r1 = r[1], r2 = r[2];
     const double q0 = 0.25 * r0, q1 = 0.25 * r1, q2 = 0.25 * r2;
     const double L0 = r0 * r0, L1 = r1 * r1, L2 = r2 * r2;
-    const double rD = f.r[D], rE = f.r[E], rG = f.r[G];
-    const double dt = f.dt, now = f.now, before = f.before, rest = f.rest;
-    const double among = f.among, others = f.others, nu0 = f.nu0;
+    const double rD = r[D], rE = r[E], rG = r[G];
 
+    // nu L u is among the explicit terms or among the others
+    const double among = explicit_ ? nuMax_ : 0, nu0 = nuMax_ - among;
+    const double now = s.now, before = s.before, rest = s.others,
+                 others = rest * nu0;
     const double* u = u_[D].data() + q;
     const double* a = u_[0].data() + q;
     const double* b = u_[1].data() + q;
@@ -87,31 +91,21 @@ void Foam::staggeredFlow::makeIncrement(const factors& f, const label q,
 template<bool Convection, bool Variable>
 void Foam::staggeredFlow::makeIncrements(const scalar dt, const stage& s)
 {
-    // nu L u is among the explicit terms or among the others
-    const scalar among = explicit_ ? nuMax_ : 0;
-    const vector& h = grid_.h();
-    const factors f{{1 / h.x(), 1 / h.y(), 1 / h.z()},
-                    dt,
-                    s.now,
-                    s.before,
-                    s.others,
-                    among,
-                    s.others * (nuMax_ - among),
-                    nuMax_ - among};
+    const vector r(1 / grid_.h().x(), 1 / grid_.h().y(), 1 / grid_.h().z());
     block_.rows(
         [&](const label q, const label n)
         {
-            makeIncrement<0, Convection, Variable>(f, q, n);
-            makeIncrement<1, Convection, Variable>(f, q, n);
-            makeIncrement<2, Convection, Variable>(f, q, n);
+            makeIncrement<0, Convection, Variable>(r, dt, s, q, n);
+            makeIncrement<1, Convection, Variable>(r, dt, s, q, n);
+            makeIncrement<2, Convection, Variable>(r, dt, s, q, n);
         });
 
     // The velocity on a wall stays
     for (direction d = 0; d < 3; ++d)
     {
-        double *last = last_[d].data(), *out = increment()[d].data();
-        if (!block_.wallBelow(d)) continue;
-        box_.layer(d, 0, [&](const label i) { out[i] = last[i] = 0; });
+        const auto stay = [&](const label i)
+        { increment()[d][i] = last_[d][i] = 0; };
+        if (block_.wallBelow(d)) box_.layer(d, 0, stay);
     }
 }
 
@@ -130,11 +124,8 @@ void Foam::staggeredFlow::holdMean(const direction c, scalar* increment,
             implicit_[transforms_]->solve(
                 c, response_.data(), b,
                 wallVelocities(FixedList<vector, 2>(Zero)));
-        scalar sum = 0;
-        for (const scalar r : response_)
-        {
-            sum += r;
-        }
+        const scalar sum =
+            std::accumulate(response_.begin(), response_.end(), 0.0);
         meanResponse_ = returnReduce(sum, sumOp<scalar>()) / nAll;
         responseTo_ = b;
     }
@@ -274,11 +265,8 @@ void Foam::staggeredFlow::project()
             }
         });
 
-    FixedList<scalar, 3> inverseSqr;
-    for (direction d = 0; d < 3; ++d)
-    {
-        inverseSqr[d] = 1 / sqr(h[d]);
-    }
+    const FixedList<scalar, 3> inverseSqr(
+        {1 / sqr(h.x()), 1 / sqr(h.y()), 1 / sqr(h.z())});
     poisson_->solve(correction_.data(), correction_.data(), 0, inverseSqr);
     block_.update(correction_.data());
     // Beyond walls as inside: the velocity on a wall stays
