@@ -315,7 +315,7 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
         // of its own, else that change times the rate of convergence
         const lanes change = largest / sqr(ds);
         const mask converged =
-            (x.fresh_ && change < 1e-12) ||
+            (x.fresh_ && change < 1e-16) ||
             (!x.fresh_ && change * (largest / before).min(scalar(1)) < 1e-24);
         done = done || (going && converged);
         going = going && !done;
