@@ -57,9 +57,12 @@ Foam::scalar Foam::lastStep::read(const Time& time)
 
 void Foam::lastStep::refuseDiverged(const Time& time)
 {
-    const string why(
-        dictionaryOf(time, "lastStep").getOrDefault<string>("diverged", ""));
-    if (why.empty()) return;
+    const dictionary last(dictionaryOf(time, "lastStep"));
+    const string why(last.getOrDefault<string>("diverged", ""));
+    const scalar deltaT = read(time);
+    const bool byOther =
+        deltaT > 0 && deltaT != last.getOrDefault("deltaT", 0.0);
+    if (why.empty() || byOther) return;
     FatalErrorInFunction
         << "time " << time.timeName() << " was written because the run diverged"
         << " there: " << why.c_str() << nl
