@@ -97,13 +97,16 @@ int main(int argc, char* argv[])
 
     while (runTime.run())
     {
-        #include "readTimeControls.H"
-        #include "setBodyDeltaT.H"
-        #include "checkCourantNo.H"
+        {
+            const auto timing(effects.time("timeStep"));
+            #include "readTimeControls.H"
+            #include "setBodyDeltaT.H"
+            #include "checkCourantNo.H"
 
-        ++runTime;
+            ++runTime;
 
-        Info<< "Time = " << runTime.timeName() << nl << endl;
+            Info<< "Time = " << runTime.timeName() << nl << endl;
+        }
 
         if (bodies.alone())
         {
@@ -121,10 +124,9 @@ int main(int argc, char* argv[])
         {
             const auto timing(effects.time("output"));
             runTime.write();
+            progress.print();
+            runTime.printExecutionTime(Info);
         }
-
-        progress.print();
-        runTime.printExecutionTime(Info);
     }
 
     if (runTime.timeIndex() == runTime.startTimeIndex())

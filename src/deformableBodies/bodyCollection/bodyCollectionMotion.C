@@ -90,11 +90,11 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
     if (diverged_) return;
     if (interactions_) interactions_->update();
 
-    force.clear();
     const vectorField X(collectLoads(groups));
+    const auto timing(effects_.time("spreading"));
+    force.clear();
     if (returnReduce(X.size(), maxOp<label>()))
     {
-        const auto timing(effects_.time("spreading"));
         markers_->place(X);
         spread(force);
     }

@@ -83,24 +83,27 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
     body_.setSize(all.size());
     std::copy(all.begin(), all.end(), body_.begin());
     pairs_.clear();
-    const vectorField& x = here();
-    boolList held(x.size());
-    forAll(x, k)
-    {
-        held[k] = points_.holds(k);
-    }
 
-    // Points sorted by their bins; of each bin which points, and the body if all
-    // are of one
+    // Points sorted by their bins, those of a bin side by side; of each bin which
+    // they are, and the body if all are of one
+    struct located
+    {
+        label bin, point, body;
+        bool held;
+        vector x;
+    };
+    const vectorField& x = here();
     const binning bins(grid_, range_);
-    std::vector<std::pair<label, label>> sorted(x.size()); // bin, point
+    std::vector<located> sorted(x.size());
     forAll(x, k)
     {
         sorted[k] = {bins.number(bins.along(x[k], 0), bins.along(x[k], 1),
                                  bins.along(x[k], 2)),
-                     k};
+                     k, body_[k], points_.holds(k), x[k]};
     }
-    std::sort(sorted.begin(), sorted.end());
+    std::sort(sorted.begin(), sorted.end(),
+              [](const located& a, const located& b)
+              { return a.bin != b.bin ? a.bin < b.bin : a.point < b.point; });
     struct content
     {
         label bin, first, last, onlyBody;
@@ -108,14 +111,14 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
     std::vector<content> contents;
     for (size_t at = 0; at < sorted.size(); ++at)
     {
-        const label owner = body_[sorted[at].second];
-        if (contents.empty() || contents.back().bin != sorted[at].first)
+        const located& p = sorted[at];
+        if (contents.empty() || contents.back().bin != p.bin)
         {
-            contents.push_back({sorted[at].first, label(at), 0, owner});
+            contents.push_back({p.bin, label(at), 0, p.body});
         }
         content& c = contents.back();
         c.last = label(at) + 1;
-        if (c.onlyBody != owner) c.onlyBody = -1;
+        if (c.onlyBody != p.body) c.onlyBody = -1;
     }
 
     const auto lower = [](const content& c, const label bin)
@@ -125,24 +128,24 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
         if (c.onlyBody >= 0 && c.onlyBody == other.onlyBody) return;
         for (label p = c.first; p < c.last; ++p)
         {
-            const label a = sorted[p].second;
-            if (!held[a]) continue;
+            const located& a = sorted[p];
+            if (!a.held) continue;
             for (label q = other.first; q < other.last; ++q)
             {
                 // Once where both are held
-                const label b = sorted[q].second;
-                if (body_[a] == body_[b] || (held[b] && b < a)) continue;
-                const vector r(nearestImage(grid_, x[a], x[b]));
+                const located& b = sorted[q];
+                if (a.body == b.body || (b.held && b.point < a.point)) continue;
+                const vector r(nearestImage(grid_, a.x, b.x));
                 if (magSqr(r) < sqr(range_))
                 {
-                    pairs_.push_back({a, b, held[b], r});
+                    pairs_.push_back({a.point, b.point, b.held, r});
                 }
             }
         }
     };
     for (const content& c : contents)
     {
-        const vector& inside = x[sorted[c.first].second];
+        const vector& inside = sorted[c.first].x;
         label near[3][3], nNear[3];
         for (direction d = 0; d < 3; ++d)
         {
