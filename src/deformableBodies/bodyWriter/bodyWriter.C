@@ -181,7 +181,8 @@ static Foam::vtk::seriesWriter seriesBefore(const Foam::fileName& file,
         if (std::sscanf(line.c_str(),
                         " { \"name\" : \"%255[^\"/]\", \"time\" : %lf }%n",
                         name, &time, &end) == 2 &&
-            end > 0 && time < now - ROOTVSMALL && isFile(file.path() / name))
+            end > 0 && time < now - 1e-9 * mag(now) &&
+            isFile(file.path() / name))
         {
             series.append(time, fileName(name));
             const char* number = std::strrchr(name, '_');
