@@ -91,13 +91,15 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
     if (interactions_) interactions_->update();
 
     const vectorField X(collectLoads(groups));
+    if (!returnReduce(X.size(), maxOp<label>()))
+    {
+        force.clear();
+        return;
+    }
     const auto timing(effects_.time("spreading"));
     force.clear();
-    if (returnReduce(X.size(), maxOp<label>()))
-    {
-        markers_->place(X);
-        spread(force);
-    }
+    markers_->place(X);
+    spread(force);
 }
 
 void Foam::bodyCollection::moveWithPrediction(const velocityPrediction& p)
