@@ -48,6 +48,8 @@ public:
         return i + n_[0] * (j + n_[1] * k);
     }
 
+    label count() const { return n_[0] * n_[1] * n_[2]; }
+
     //- The bins along a direction next to bin i, each once
     label next(const label i, const direction d, label* bins) const
     {
@@ -121,8 +123,12 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
         if (c.onlyBody != p.body) c.onlyBody = -1;
     }
 
-    const auto lower = [](const content& c, const label bin)
-    { return c.bin < bin; };
+    labelList contentOf(bins.count(), -1);
+    for (size_t c = 0; c < contents.size(); ++c)
+    {
+        contentOf[contents[c].bin] = label(c);
+    }
+
     const auto pairsOf = [&](const content& c, const content& other)
     {
         if (c.onlyBody >= 0 && c.onlyBody == other.onlyBody) return;
@@ -157,14 +163,9 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
             {
                 for (label i = 0; i < nNear[0]; ++i)
                 {
-                    const label bin =
-                        bins.number(near[0][i], near[1][j], near[2][k]);
-                    const auto other = std::lower_bound(
-                        contents.begin(), contents.end(), bin, lower);
-                    if (other != contents.end() && other->bin == bin)
-                    {
-                        pairsOf(c, *other);
-                    }
+                    const label other = contentOf[bins.number(
+                        near[0][i], near[1][j], near[2][k])];
+                    if (other >= 0) pairsOf(c, contents[other]);
                 }
             }
         }
