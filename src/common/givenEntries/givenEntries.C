@@ -12,7 +12,7 @@ using namespace Foam;
 const std::string digest("SHA1 ");
 
 void addEntries(givenEntries& all, const dictionary& dict, const string& within,
-         const wordList& except)
+                const wordList& except)
 {
     for (const entry& e : dict)
     {
