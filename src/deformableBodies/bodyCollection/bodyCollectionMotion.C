@@ -9,7 +9,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
     const Time& time = mesh_.time();
     if (lastMoved_ == time.timeIndex()) return;
 
-    staggeredField faces(grid_.box());
+    staggeredField force(grid_.box());
     if (!empty() && !alone_ && !solverBalances_)
     {
         if (!guard_)
@@ -24,13 +24,11 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
     }
     if (!empty())
     {
-        // The velocity lies where the force will: directly forced bodies, which
-        // have no prediction here, need it longer
         const labelList direct(groupsThat(true));
-        grid_.toStaggered(phi, faces);
+        staggeredField u(grid_.box());
+        grid_.toStaggered(phi, u);
         const scalar dt = time.deltaTValue();
-        staggeredField u(direct.size() ? faces : staggeredField(cellBox()));
-        moveWithVelocity(faces, faces);
+        moveWithVelocity(u, force);
         if (direct.size() && !diverged_)
         {
             place(direct, dt);
@@ -42,13 +40,13 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
             move(direct, false,
                  impulseFractionOf(grid_.diffusionNumber(nu_, dt)));
             collectLoads(direct);
-            spread(faces);
+            spread(force);
         }
         if (diverged_) stop();
     }
     else
     {
-        moveWithVelocity(faces, faces);
+        moveWithVelocity(force, force);
     }
     if (!forceFlux_.valid())
     {
@@ -57,7 +55,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
             dimensionedScalar(dimAcceleration * dimArea, Zero)));
         forceFlux_->setOriented();
     }
-    if (!empty()) grid_.toFlux(faces, *forceFlux_);
+    if (!empty()) grid_.toFlux(force, *forceFlux_);
     sample();
     if (diverged_) stop();
 }
@@ -69,11 +67,7 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
     if (lastMoved_ < 0) start();
     checkDeltaT();
     lastMoved_ = time.timeIndex();
-    if (empty())
-    {
-        force.clear();
-        return;
-    }
+    if (empty()) return;
 
     const auto rest(effects_.time("places"));
     ownership_->migrate(groups_);
@@ -91,13 +85,8 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
     if (interactions_) interactions_->update();
 
     const vectorField X(collectLoads(groups));
-    if (!returnReduce(X.size(), maxOp<label>()))
-    {
-        force.clear();
-        return;
-    }
+    if (!returnReduce(X.size(), maxOp<label>())) return;
     const auto timing(effects_.time("spreading"));
-    force.clear();
     markers_->place(X);
     spread(force);
 }
@@ -113,9 +102,9 @@ void Foam::bodyCollection::moveWithPrediction(const velocityPrediction& p)
     const vectorField before(F_);
     const auto addForces = [&]()
     {
-        for (const auto& field : p.force)
+        for (const staggeredTarget& force : p.force)
         {
-            spread(*field.second(), field.first());
+            spread(force);
         }
     };
     addForces();
@@ -239,11 +228,13 @@ Foam::vectorField Foam::bodyCollection::collectLoads(const labelList& groups)
     return X;
 }
 
-void Foam::bodyCollection::spread(staggeredField& force, const scalar factor)
+void Foam::bodyCollection::spread(const staggeredTarget& force)
 {
     const auto timing(effects_.time("spreading"));
-    markers_->spread(vectorField(factor / rho_ * F_), force);
-    if (periodicBox()) removeMean(force, factor);
+    staggeredTarget perMass(force);
+    perMass.factor /= rho_;
+    markers_->spread(F_, perMass);
+    if (periodicBox()) removeMean(perMass);
 }
 
 void Foam::bodyCollection::updateViscosity(const labelList& groups,
@@ -268,6 +259,7 @@ void Foam::bodyCollection::updateViscosity(const labelList& groups,
         at += n;
     }
     contrast_->update(*markers_, G, excess, work);
+    work.clear();
 }
 
 bool Foam::bodyCollection::periodicBox() const
@@ -275,13 +267,23 @@ bool Foam::bodyCollection::periodicBox() const
     return grid_.periodic(0) && grid_.periodic(1) && grid_.periodic(2);
 }
 
-void Foam::bodyCollection::removeMean(staggeredField& force,
-                                      const scalar factor) const
+void Foam::bodyCollection::removeMean(const staggeredTarget& force) const
 {
     const vector L(grid_.length());
-    const vector mean(factor / rho_ * gSum(F_) / (L.x() * L.y() * L.z()));
+    const vector mean(force.factor * gSum(F_) / (L.x() * L.y() * L.z()));
+    const labelVector& n = grid_.box().size;
     for (direction d = 0; d < 3; ++d)
     {
-        force[d] -= mean[d];
+        for (label k = 0; k < n.z(); ++k)
+        {
+            for (label j = 0; j < n.y(); ++j)
+            {
+                scalar* row = force.first[d] + k * force.layer + j * force.row;
+                for (label i = 0; i < n.x(); ++i)
+                {
+                    row[i] -= mean[d];
+                }
+            }
+        }
     }
 }

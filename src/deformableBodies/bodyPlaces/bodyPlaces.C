@@ -14,7 +14,8 @@ Foam::bodyPlaces::bodyPlaces(const fvMesh& mesh, PtrList<bodyGroup>& groups,
       markers_(markers),
       firstBody_(groups.size() + 1, label(0)),
       pairNamed_(groups.size() * (groups.size() + 1) / 2, false),
-      wallNamed_(groups.size(), false)
+      wallNamed_(groups.size(), false),
+      nearWall_(groups.size(), false)
 {
     // Not periodic: patches of the box, and those of walls inside it
     string inside;
@@ -124,10 +125,15 @@ Foam::string Foam::bodyPlaces::removeOutside()
     forAll(groups_, g)
     {
         bodyGroup& group = groups_[g];
+        nearWall_[g] = false;
         forAllReverse(group.mine(), i)
         {
+            const boundBox bounds(group.bounds(i, false));
+            if (through(bounds, -0.5).empty()) continue;
+            nearWall_[g] = true;
+
             // Not for the round-off of what is held at a wall
-            if (through(group.bounds(i, false), 1e-6).empty()) continue;
+            if (through(bounds, 1e-6).empty()) continue;
             const string where(through(group.bounds(i, true), 1e-6));
             if (where.empty()) continue;
             const string what(group.nameOf(i) + " reaches through " + where);
@@ -163,7 +169,7 @@ void Foam::bodyPlaces::warnOfWalls()
         const bodyGroup& group = groups_[g];
         if (wallNamed_[g] || !group.directForcing()) continue;
         string near;
-        forAll(group.mine(), i)
+        for (label i = 0; nearWall_[g] && i < group.mine().size(); ++i)
         {
             const string where(through(group.forcedBounds(i), -0.5));
             if (where.empty()) continue;

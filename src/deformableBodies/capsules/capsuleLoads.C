@@ -117,7 +117,10 @@ void Foam::capsuleGroup::forcesOnFluid(const label i, const scalar time,
         F[k] *= markerGrid_->weight(k);
     }
     if (!scene_.forces.actOn(name(), mine()[i])) return;
-    const vectorField more(scene_.forces.on(points(i), time, scene_.effects));
+    vectorField more(n, Zero);
+    scene_.forces.add(
+        name(), mine()[i], [&]() { return points(i); }, time, scene_.effects,
+        more);
     for (label k = 0; k < n; ++k)
     {
         F[k] += more[k];

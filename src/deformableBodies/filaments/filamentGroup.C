@@ -238,7 +238,17 @@ Foam::bodyPoints Foam::filamentGroup::initialPoints(const label number) const
 
 Foam::boundBox Foam::filamentGroup::bounds(const label i, const bool) const
 {
-    return boundBox(bodies_[i].line.places(), false);
+    const vectorField& X = bodies_[i].line.places();
+    boundBox box(X[0], X[0]);
+    for (const point& x : X)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            box.min()[d] = min(box.min()[d], x[d]);
+            box.max()[d] = max(box.max()[d], x[d]);
+        }
+    }
+    return box;
 }
 
 Foam::boundBox Foam::filamentGroup::forcedBounds(const label i) const

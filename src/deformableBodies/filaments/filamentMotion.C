@@ -123,10 +123,18 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
     around.force = Zero;
     if (scene_.forces.actOn(name(), mine()[i]))
     {
-        vectorField ahead;
-        x.line.ahead(s.dt, ahead);
-        const bodyPoints p(pointsOf(mine()[i], ahead, x.line.velocities()));
-        around.force = scene_.forces.on(p, s.time, scene_.effects) / p.lengths;
+        const auto ahead = [&]()
+        {
+            vectorField X;
+            x.line.ahead(s.dt, X);
+            return pointsOf(mine()[i], X, x.line.velocities());
+        };
+        scene_.forces.add(name(), mine()[i], ahead, s.time, scene_.effects,
+                          around.force);
+        forAll(around.force, k)
+        {
+            around.force[k] /= properties_.lengthOf(k);
+        }
     }
     if (base_.valid())
     {

@@ -37,7 +37,6 @@ void Foam::viscosityContrast::update(const markerSet& markers,
     volScalarField& nu = mesh_.lookupObjectRef<volScalarField>("nu");
     nu.writeOpt() = IOobject::AUTO_WRITE;
 
-    work.clear();
     markers.spread(G, work);
     surfaceScalarField flux(IOobject("G", mesh_.time().timeName(), mesh_),
                             mesh_, dimensionedScalar(dimVolume, Zero));

@@ -82,6 +82,7 @@ void Foam::staggeredFlow::readState()
         pressure_[q] = p_[celli];
     }
     block_.update(pressure_.data());
+    force_.clear();
 }
 
 // What p has more than pressure_
@@ -100,6 +101,7 @@ void Foam::staggeredFlow::fill()
 
     velocity(force_);
     grid_.toFlux(force_, phi_);
+    force_.clear();
 
     // Cells of a block mostly follow each other: rows without division
     label last = -2, q = 0, toEnd = 0;
@@ -164,7 +166,11 @@ void Foam::staggeredFlow::takeOver()
     reduce(size, maxOp<vector>());
     const auto changed = [&](const direction which)
     { return change[which] > 1e-10 * size[which]; };
-    if (!changed(0) && !changed(1) && !changed(2)) return;
+    if (!changed(0) && !changed(1) && !changed(2))
+    {
+        force_.clear();
+        return;
+    }
 
     if (!tookOver_)
     {
@@ -213,6 +219,7 @@ void Foam::staggeredFlow::takeOver()
         }
         updateVelocity();
     }
+    force_.clear();
     if (changed(2))
     {
         forAll(p, celli)

@@ -109,11 +109,9 @@ void Foam::staggeredFlow::makeIncrements(const scalar dt, const stage& s)
     }
 }
 
-// The acceleration, uniform in space, that brings the mean of the velocity
-// after this increment to what is held. Near walls the fluid answers to it
-// through the implicit operator
-void Foam::staggeredFlow::holdMean(const direction c, scalar* increment,
-                                   const scalar dt)
+// The acceleration, uniform in space, that brings the mean of the velocity to what
+// is held. Near walls the fluid answers to it through the implicit operator
+void Foam::staggeredFlow::holdMean(const direction c, const scalar dt)
 {
     const scalar nAll = scalar(grid_.n().x()) * grid_.n().y() * grid_.n().z();
     const scalar b = explicit_ ? 0 : 0.5 * nuMax_ * dt;
@@ -130,22 +128,25 @@ void Foam::staggeredFlow::holdMean(const direction c, scalar* increment,
         responseTo_ = b;
     }
 
+    const label nx = box_.size.x();
     scalar sum = 0;
     block_.rows(
-        [&](const label q, const label n)
+        [&](const label q, const label)
         {
-            for (label i = 0; i < box_.size.x(); ++i)
-            {
-                sum += u_[c][q + i] + increment[n + i];
-            }
+            const double* u = u_[c].data() + q;
+            sum += std::accumulate(u, u + nx, 0.0);
         });
     meanBefore_ = returnReduce(sum, sumOp<scalar>()) / nAll;
 
     const scalar push = (heldMean_ - meanBefore_) / meanResponse_;
-    for (label i = 0; i < box_.count(); ++i)
-    {
-        increment[i] += push * response_[i];
-    }
+    block_.rows(
+        [&](const label q, const label n)
+        {
+            for (label i = 0; i < nx; ++i)
+            {
+                u_[c][q + i] += push * response_[n + i];
+            }
+        });
     gradient_ += push;
 }
 
@@ -153,6 +154,7 @@ void Foam::staggeredFlow::predict()
 {
     const stage& s = stages_[stage_];
     const auto timing(effects_.time("momentum"));
+    added_ = false;
 
     scalar passed = 0;
     for (label i = 0; i <= stage_; ++i)
@@ -180,24 +182,62 @@ void Foam::staggeredFlow::predict()
 // the whole step, predict the velocity at its end
 Foam::velocityPrediction Foam::staggeredFlow::prediction()
 {
-    const scalar others = stages_[stage_].others;
-    const scalar fraction =
-        explicit_ ? 1
-                  : impulseFractionOf(grid_.diffusionNumber(nuMax_, stepDt_));
-    const scalar part = (explicit_ ? 1 : 0.7 * fraction) / others;
-    velocityPrediction p{{velocity(), {increment(), part}},
-                         fraction,
-                         {{others * stepDt_, &increment()}}};
+    const scalar others = stages_[stage_].others, dt = others * stepDt_;
+    velocityPrediction p;
+    if (explicit_ && !RK3_)
+    {
+        const auto timing(effects_.time("momentum"));
+        addIncrements();
+        staggeredTarget u;
+        u.row = block_.stride(1);
+        u.layer = block_.stride(2);
+        u.factor = dt;
+        for (direction d = 0; d < 3; ++d)
+        {
+            u.first[d] = u_[d].data() + block_.place(0, 0, 0);
+        }
+        p = {{velocity()}, 1, {u}};
+    }
+    else
+    {
+        const scalar fraction =
+            explicit_
+                ? 1
+                : impulseFractionOf(grid_.diffusionNumber(nuMax_, stepDt_));
+        const scalar part = (explicit_ ? 1 : 0.7 * fraction) / others;
+        p = {{velocity(), {increment(), part}}, fraction, {{increment(), dt}}};
+    }
 
     // Later stages of RK3 have the force as well
-    if (RK3_) p.force.append({1, &force_});
+    if (RK3_) p.force.append(staggeredTarget(force_));
     return p;
+}
+
+// The increments of AB2 lie in place of the force, which is zero after the step
+void Foam::staggeredFlow::addIncrements()
+{
+    if (added_) return;
+    added_ = true;
+    block_.rows(
+        [&](const label q, const label n)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                double* u = u_[d].data() + q;
+                double* change = increment()[d].data() + n;
+#pragma GCC ivdep
+                for (label i = 0; i < box_.size.x(); ++i)
+                {
+                    u[i] += change[i];
+                    change[i] = 0;
+                }
+            }
+        });
 }
 
 void Foam::staggeredFlow::diffuse()
 {
     const scalar dt = stages_[stage_].others * stepDt_;
-    staggeredField& increments = increment();
     if (!explicit_)
     {
         const auto timing(effects_.time("diffusion"));
@@ -211,32 +251,15 @@ void Foam::staggeredFlow::diffuse()
         }
         for (direction d = 0; d < 3; ++d)
         {
-            implicit_[transforms_]->solve(d, increments[d].data(),
+            implicit_[transforms_]->solve(d, increment()[d].data(),
                                           0.5 * nuMax_ * dt, change);
         }
     }
     walls_ = wallsAhead_;
 
     const auto timing(effects_.time("momentum"));
-    if (holdsMean_)
-    {
-        holdMean(heldComponent_, increments[heldComponent_].data(), dt);
-    }
-
-    block_.rows(
-        [&](const label q, const label n)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                double* u = u_[d].data() + q;
-                const double* increment = increments[d].cdata() + n;
-#pragma GCC ivdep
-                for (label i = 0; i < box_.size.x(); ++i)
-                {
-                    u[i] += increment[i];
-                }
-            }
-        });
+    addIncrements();
+    if (holdsMean_) holdMean(heldComponent_, dt);
 }
 
 void Foam::staggeredFlow::project()
@@ -296,5 +319,7 @@ void Foam::staggeredFlow::project()
     {
         p[q] += change[q];
     }
-    if (++stage_ == nStages()) gradient_ /= stepDt_;
+    if (++stage_ < nStages()) return;
+    gradient_ /= stepDt_;
+    if (RK3_) force_.clear();
 }

@@ -24,8 +24,10 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
                                      : min(max(x - offset, first - scalar(0.5)),
                                            last + scalar(0.5));
     const label nPoints = this->nPoints();
-    const label lowest = weights(position, s.weight.data());
-    const FixedList<scalar, 4>& weight = s.weight;
+    scalar lowestPoint, weights1[1][4];
+    weights<1>(&position, &lowestPoint, weights1);
+    const scalar* weight = weights1[0];
+    const label lowest = label(lowestPoint);
 
     if (lowest >= (periodic ? 0 : first) &&
         lowest + nPoints - 1 <= (periodic ? n - 1 : last))
@@ -34,6 +36,7 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
         for (label k = 0; k < nPoints; ++k)
         {
             s.at[k] = lowest + k;
+            s.weight[k] = weight[k];
         }
         return;
     }

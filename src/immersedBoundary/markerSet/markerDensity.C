@@ -74,12 +74,26 @@ public:
     {
         scalar at[3];
         label line, number, next;
+
+        //- Neighbours within one line: those further apart meet by chance
+        bool isBeside(const label least, const label most) const
+        {
+            const label apart = 4;
+            return most - number <= apart && number - least <= apart;
+        }
     };
 
 private:
+    //- The markers of a bin: the first, their line if they have one in common, else
+    //  -1, and the least and the greatest of their numbers
+    struct chain
+    {
+        label first = -1, line = -1, least = labelMax, most = -1;
+    };
+
     const binsOfDirection bins_[3];
     std::vector<entry> all_;
-    std::vector<label> firstIn_;
+    std::vector<chain> chains_;
 
     label binOf(const label i, const label j, const label k) const
     {
@@ -92,7 +106,7 @@ public:
                const scalarField& ids)
         : bins_{{grid, 0}, {grid, 1}, {grid, 2}},
           all_(X.size()),
-          firstIn_(bins_[0].nBins * bins_[1].nBins * bins_[2].nBins, -1)
+          chains_(bins_[0].nBins * bins_[1].nBins * bins_[2].nBins)
     {
         forAll(X, k)
         {
@@ -104,11 +118,14 @@ public:
             {
                 e.at[d] = bins_[d].place(X[k][d]);
             }
-            label& first =
-                firstIn_[binOf(bins_[0].bin(e.at[0]), bins_[1].bin(e.at[1]),
-                               bins_[2].bin(e.at[2]))];
-            e.next = first;
-            first = k;
+            chain& c =
+                chains_[binOf(bins_[0].bin(e.at[0]), bins_[1].bin(e.at[1]),
+                              bins_[2].bin(e.at[2]))];
+            c.line = c.first < 0 || c.line == e.line ? e.line : -1;
+            c.least = min(c.least, e.number);
+            c.most = max(c.most, e.number);
+            e.next = c.first;
+            c.first = k;
         }
     }
 
@@ -120,7 +137,8 @@ public:
         return bins_[d].distance(a.at[d], b.at[d]);
     }
 
-    //- visit(other) of all in the bins within lineReach of a marker
+    //- visit(other) of all in the bins within lineReach of a marker, but for bins
+    //  where there are only neighbours of its own line
     template<class Visit>
     void eachNear(const entry& e, Visit visit) const
     {
@@ -138,9 +156,13 @@ public:
             {
                 for (int i = 0; i < nBins[0]; ++i)
                 {
-                    for (label m =
-                             firstIn_[binOf(bin[0][i], bin[1][j], bin[2][l])];
-                         m >= 0; m = all_[m].next)
+                    const chain& c =
+                        chains_[binOf(bin[0][i], bin[1][j], bin[2][l])];
+                    if (c.line == e.line && e.isBeside(c.least, c.most))
+                    {
+                        continue;
+                    }
+                    for (label m = c.first; m >= 0; m = all_[m].next)
                     {
                         visit(all_[m]);
                     }
@@ -195,8 +217,6 @@ void Foam::markerSet::closeLines(const labelUList& line,
 void Foam::markerSet::lineDensity(const labelUList& line,
                                   scalarField& density) const
 {
-    const label sameLine =
-        4; // markers further apart in the list meet by chance
     const markerBins bins(grid_, X(), linesHere(line));
 
     scalarField others(X().size(), Zero);
@@ -209,8 +229,7 @@ void Foam::markerSet::lineDensity(const labelUList& line,
         touched.clear();
         const auto touch = [&](const markerBins::entry& other)
         {
-            if (other.line == e.line &&
-                mag(other.number - e.number) <= sameLine)
+            if (other.line == e.line && e.isBeside(other.number, other.number))
             {
                 return;
             }

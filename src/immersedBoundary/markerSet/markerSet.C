@@ -32,7 +32,8 @@ void Foam::markerSet::interpolate(const List<staggeredView>& u,
     copies_.addUp(here, 3, reinterpret_cast<scalar*>(U.data()));
 }
 
-void Foam::markerSet::spread(const vectorField& F, staggeredField& f) const
+void Foam::markerSet::spread(const vectorField& F,
+                             const staggeredTarget& f) const
 {
     if (!Pstream::parRun())
     {

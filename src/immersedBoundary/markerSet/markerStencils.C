@@ -4,61 +4,100 @@
 
 #include "markerSet.H"
 
-// All points of a marker in the block of this rank, as they stand in memory?
-bool Foam::markerSet::makeWhole(const vector& x, label* first,
-                                scalar* weights) const
+namespace
 {
-    const label n = kernel_.nPoints();
-    for (label kind = 0; kind < 2; ++kind)
-    {
-        for (direction d = 0; d < 3; ++d, weights += n, ++first)
-        {
-            const label lo = grid_.box().lo[d];
-            scalar at = (x[d] - grid_.origin()[d]) / grid_.h()[d];
-            if (grid_.periodic(d) && (at < 0 || at >= grid_.n()[d]))
-            {
-                at -= grid_.n()[d] * std::floor(at / grid_.n()[d]);
-            }
-            // The faces of walls have their velocity from a boundary condition
-            const label lowest = kernel_.weights(at - 0.5 * kind, weights);
-            const label least =
-                kind == 0 && lo == 0 && !grid_.periodic(d) ? 1 : lo;
-            *first = lowest - lo;
-            if (!(lowest >= least && lowest <= lo + grid_.box().size[d] - n))
-            {
-                return false;
-            }
-        }
-    }
-    return true;
-}
+//- Four values that lie next to each other anywhere in memory: one vector for the
+//  compiler (GCC and Clang), of AVX or of two halves
+typedef double fourValues
+    __attribute__((vector_size(32), aligned(8), may_alias));
 
-void Foam::markerSet::makeCut(const vector& x, stencils& s) const
+inline const fourValues& fourAt(const double* p)
 {
+    return *reinterpret_cast<const fourValues*>(p);
+}
+inline fourValues& fourAt(double* p)
+{
+    return *reinterpret_cast<fourValues*>(p);
+}
+} // namespace
+
+//- Of a marker at faces in the three directions, then at centres in them
+struct Foam::markerSet::sixWeights
+{
+    scalar lowest[6];    //!< points, counted through the box
+    scalar weight[6][4]; //!< of them and the next ones
+};
+
+Foam::markerSet::sixWeights Foam::markerSet::weightsAt(const vector& x) const
+{
+    scalar position[6];
     for (direction d = 0; d < 3; ++d)
     {
-        const label n = grid_.n()[d];
-        const bool periodic = grid_.periodic(d);
-        const scalar at = (x[d] - grid_.origin()[d]) / grid_.h()[d];
-        kernel_.stencil(at, 0, 1, n - 1, n, periodic, s.at[0][d]);
-        kernel_.stencil(at, 0.5, 0, n - 1, n, periodic, s.at[1][d]);
-
-        // Points of this rank only, counted within its block
-        for (label kind = 0; kind < 2; ++kind)
+        scalar at = (x[d] - grid_.origin()[d]) / grid_.h()[d];
+        if (grid_.periodic(d) && (at < 0 || at >= grid_.n()[d]))
         {
-            kernelStencil& all = s.at[kind][d];
-            label kept = 0;
-            for (label k = 0; k < all.size; ++k)
+            at -= grid_.n()[d] * std::floor(at / grid_.n()[d]);
+        }
+        position[d] = at;
+        position[d + 3] = at - 0.5;
+    }
+    sixWeights w;
+    kernel_.weights<6>(position, w.lowest, w.weight);
+    return w;
+}
+
+// All points of a marker in the block of this rank, as they stand in memory?
+bool Foam::markerSet::makeWhole(const sixWeights& w, label* first,
+                                scalar* weights) const
+{
+    bool whole = true;
+    for (int i = 0; i < 6; ++i)
+    {
+        const direction d = i % 3;
+        first[i] = label(w.lowest[i]) - grid_.box().lo[d];
+
+        // The faces of walls have their velocity from a boundary condition
+        const label least =
+            i < 3 && grid_.box().lo[d] == 0 && !grid_.periodic(d) ? 1 : 0;
+        const label last =
+            grid_.box().size[d] - (d == 0 ? 4 : kernel_.nPoints());
+        whole = whole && first[i] >= least && first[i] <= last;
+        std::copy_n(w.weight[i], 4, weights + 4 * i);
+    }
+    return whole;
+}
+
+void Foam::markerSet::makeCut(const vector& x, const sixWeights& w,
+                              cutMarker& c) const
+{
+    const label nPoints = kernel_.nPoints();
+    for (int i = 0; i < 6; ++i)
+    {
+        const direction d = i % 3;
+        const label n = grid_.n()[d], lowest = label(w.lowest[i]);
+        const label least = i < 3 ? 1 : 0;
+        kernelStencil s;
+        if (grid_.periodic(d) || (lowest >= least && lowest + nPoints <= n))
+        {
+            s.size = nPoints;
+            for (label k = 0; k < nPoints; ++k)
             {
-                const label i = all.at[k] - grid_.box().lo[d];
-                if (i >= 0 && i < grid_.box().size[d])
-                {
-                    all.at[kept] = i;
-                    all.weight[kept] = all.weight[k];
-                    ++kept;
-                }
+                s.at[k] = (lowest + k + n) % n;
+                s.weight[k] = w.weight[i][k];
             }
-            all.size = kept;
+        }
+        else
+        {
+            const scalar at = (x[d] - grid_.origin()[d]) / grid_.h()[d];
+            kernel_.stencil(at, i < 3 ? 0 : 0.5, least, n - 1, n, false, s);
+        }
+        for (label k = 0; k < 4; ++k)
+        {
+            // Points of this rank only, counted within its block
+            const label at = k < s.size ? s.at[k] - grid_.box().lo[d] : -1;
+            const bool here = at >= 0 && at < grid_.box().size[d];
+            c.at[i][k] = here ? at : 0;
+            c.weight[i][k] = here ? s.weight[k] : 0;
         }
     }
 }
@@ -98,7 +137,7 @@ Foam::labelList Foam::markerSet::alongMemory() const
 
 void Foam::markerSet::makeStencils()
 {
-    const label each = 6 * kernel_.nPoints();
+    const label each = 24;
     whole_.clear();
     cut_.clear();
     wholeFirst_.resize(6 * X().size() + 6);
@@ -107,7 +146,8 @@ void Foam::markerSet::makeStencils()
 
     for (const label k : alongMemory())
     {
-        if (makeWhole(X()[k], &wholeFirst_[6 * whole_.size()],
+        const sixWeights w(weightsAt(X()[k]));
+        if (makeWhole(w, &wholeFirst_[6 * whole_.size()],
                       &wholeWeights_[each * whole_.size()]))
         {
             whole_.push_back(k);
@@ -116,7 +156,7 @@ void Foam::markerSet::makeStencils()
         {
             cut_.emplace_back();
             cut_.back().marker = k;
-            makeCut(X()[k], cut_.back());
+            makeCut(X()[k], w, cut_.back());
         }
     }
 }
@@ -126,14 +166,13 @@ void Foam::markerSet::makeStencils()
 // visit(marker, component, its row of weights along x, first point in the
 // field's memory of each row, weight of each row) for all whole markers. Rows
 // are fetched some markers ahead, as they lie all over memory
-template<int n, class Visit>
-void Foam::markerSet::eachWhole(const List<staggeredView>& fields,
-                                Visit visit) const
+template<int n, class Places, class Visit>
+void Foam::markerSet::eachWhole(const List<Places>& fields, Visit visit) const
 {
-    const label nWhole = whole_.size(), ahead = 4;
+    const label nWhole = whole_.size(), ahead = 6;
     const label* first = wholeFirst_.data();
     const auto firstPoint =
-        [](const label* f, const direction d, const staggeredView& v)
+        [](const label* f, const direction d, const Places& v)
     {
         return f[d == 0 ? 0 : 3] + v.row * f[d == 1 ? 1 : 4] +
                v.layer * f[d == 2 ? 2 : 5];
@@ -142,7 +181,7 @@ void Foam::markerSet::eachWhole(const List<staggeredView>& fields,
     {
         if (k + ahead < nWhole)
         {
-            for (const staggeredView& v : fields)
+            for (const Places& v : fields)
             {
                 for (direction d = 0; d < 3; ++d)
                 {
@@ -153,18 +192,19 @@ void Foam::markerSet::eachWhole(const List<staggeredView>& fields,
                         for (int y = 0; y < n; ++y)
                         {
                             __builtin_prefetch(p + z * v.layer + y * v.row);
+                            __builtin_prefetch(p + 3 + z * v.layer + y * v.row);
                         }
                     }
                 }
             }
         }
-        const scalar* w = &wholeWeights_[6 * n * k];
+        const scalar* w = &wholeWeights_[24 * k];
         for (direction d = 0; d < 3; ++d)
         {
-            const scalar* wx = w + n * (d == 0 ? 0 : 3);
-            const scalar* wy = w + n * (d == 1 ? 1 : 4);
-            const scalar* wz = w + n * (d == 2 ? 2 : 5);
-            for (const staggeredView& v : fields)
+            const scalar* wx = w + 4 * (d == 0 ? 0 : 3);
+            const scalar* wy = w + 4 * (d == 1 ? 1 : 4);
+            const scalar* wz = w + 4 * (d == 2 ? 2 : 5);
+            for (const Places& v : fields)
             {
                 visit(whole_[k], d, v, firstPoint(first, d, v), wx, wy, wz);
             }
@@ -172,18 +212,38 @@ void Foam::markerSet::eachWhole(const List<staggeredView>& fields,
     }
 }
 
-template<class Visit>
-void Foam::markerSet::eachCutRow(const stencils& s, const direction d,
-                                 const staggeredView& v, Visit visit)
+// visit(marker, component, field, its four points in a row, their weights, first
+// point in the field's memory of the row, weight of the row) for all cut markers
+template<class Places, class Visit>
+void Foam::markerSet::eachCutRow(const List<Places>& fields, Visit visit) const
 {
-    const kernelStencil& sy = s.at[d != 1][1];
-    const kernelStencil& sz = s.at[d != 2][2];
-    for (label k = 0; k < sz.size; ++k)
+    const label n = kernel_.nPoints(), nCut = cut_.size(), ahead = 3;
+    for (label i = 0; i < nCut; ++i)
     {
-        for (label j = 0; j < sy.size; ++j)
+        const cutMarker& c = cut_[i];
+        const cutMarker& next = cut_[min(i + ahead, nCut - 1)];
+        for (direction d = 0; d < 3; ++d)
         {
-            visit(v.row * sy.at[j] + v.layer * sz.at[k],
-                  sy.weight[j] * sz.weight[k]);
+            const int x = d == 0 ? 0 : 3, y = d == 1 ? 1 : 4,
+                      z = d == 2 ? 2 : 5;
+            for (const Places& v : fields)
+            {
+                for (label k = 0; k < n; ++k)
+                {
+                    for (label j = 0; j < n; ++j)
+                    {
+                        const scalar* coming = v.first[d] +
+                                               v.row * next.at[y][j] +
+                                               v.layer * next.at[z][k];
+                        __builtin_prefetch(coming + next.at[x][0]);
+                        __builtin_prefetch(coming + next.at[x][n - 1]);
+                        const scalar ofRow = c.weight[y][j] * c.weight[z][k];
+                        if (ofRow == 0) continue;
+                        visit(c.marker, d, v, c.at[x], c.weight[x],
+                              v.row * c.at[y][j] + v.layer * c.at[z][k], ofRow);
+                    }
+                }
+            }
         }
     }
 }
@@ -192,28 +252,24 @@ template<int n>
 void Foam::markerSet::gatherWhole(const List<staggeredView>& u,
                                   UList<vector>& U) const
 {
-    eachWhole<n>(u,
-                 [&](const label marker, const direction d,
-                     const staggeredView& v, const label first,
-                     const scalar* wx, const scalar* wy, const scalar* wz)
-                 {
-                     const scalar* p = v.first[d] + first;
-                     scalar sum = 0;
-                     for (int z = 0; z < n; ++z)
-                     {
-                         for (int y = 0; y < n; ++y)
-                         {
-                             const scalar* row = p + z * v.layer + y * v.row;
-                             scalar part = 0;
-                             for (int x = 0; x < n; ++x)
-                             {
-                                 part += wx[x] * row[x];
-                             }
-                             sum += wy[y] * wz[z] * part;
-                         }
-                     }
-                     U[marker][d] += v.factor * sum;
-                 });
+    eachWhole<n>(
+        u,
+        [&](const label marker, const direction d, const staggeredView& v,
+            const label first, const scalar* wx, const scalar* wy,
+            const scalar* wz)
+        {
+            const scalar* p = v.first[d] + first;
+            fourValues sum = {};
+            for (int z = 0; z < n; ++z)
+            {
+                for (int y = 0; y < n; ++y)
+                {
+                    sum += wy[y] * wz[z] * fourAt(p + z * v.layer + y * v.row);
+                }
+            }
+            sum *= fourAt(wx);
+            U[marker][d] += v.factor * (sum[0] + sum[1] + sum[2] + sum[3]);
+        });
 }
 
 void Foam::markerSet::gather(const List<staggeredView>& u,
@@ -225,81 +281,64 @@ void Foam::markerSet::gather(const List<staggeredView>& u,
     else
         gatherWhole<4>(u, U);
 
-    for (const stencils& s : cut_)
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            const kernelStencil& sx = s.at[d != 0][0];
-            for (const staggeredView& v : u)
-            {
-                scalar sum = 0;
-                eachCutRow(s, d, v,
-                           [&](const label row, const scalar weight)
-                           {
-                               const scalar* values = v.first[d] + row;
-                               for (label i = 0; i < sx.size; ++i)
-                               {
-                                   sum +=
-                                       weight * sx.weight[i] * values[sx.at[i]];
-                               }
-                           });
-                U[s.marker][d] += v.factor * sum;
-            }
-        }
-    }
+    eachCutRow(u,
+               [&](const label marker, const direction d,
+                   const staggeredView& v, const label* at,
+                   const scalar* weight, const label row, const scalar ofRow)
+               {
+                   const scalar* p = v.first[d] + row;
+                   scalar sum = 0;
+                   for (int k = 0; k < 4; ++k)
+                   {
+                       sum += weight[k] * p[at[k]];
+                   }
+                   U[marker][d] += v.factor * ofRow * sum;
+               });
 }
 
 template<int n>
 void Foam::markerSet::scatterWhole(const UList<vector>& F,
-                                   const staggeredView& perVolume,
-                                   staggeredField& f) const
+                                   const staggeredTarget& perVolume) const
 {
-    eachWhole<n>({perVolume},
+    eachWhole<n>(List<staggeredTarget>(1, perVolume),
                  [&](const label marker, const direction d,
-                     const staggeredView& v, const label first,
+                     const staggeredTarget& f, const label first,
                      const scalar* wx, const scalar* wy, const scalar* wz)
                  {
-                     scalar* p = f[d].data() + first;
-                     const scalar value = v.factor * F[marker][d];
+                     scalar* p = f.first[d] + first;
+                     const fourValues value =
+                         f.factor * F[marker][d] * fourAt(wx);
                      for (int z = 0; z < n; ++z)
                      {
                          for (int y = 0; y < n; ++y)
                          {
-                             scalar* row = p + z * v.layer + y * v.row;
-                             const scalar weight = value * wy[y] * wz[z];
-                             for (int x = 0; x < n; ++x)
-                             {
-                                 row[x] += weight * wx[x];
-                             }
+                             fourAt(p + z * f.layer + y * f.row) +=
+                                 wy[y] * wz[z] * value;
                          }
                      }
                  });
 }
 
-void Foam::markerSet::scatter(const UList<vector>& F, staggeredField& f) const
+void Foam::markerSet::scatter(const UList<vector>& F,
+                              const staggeredTarget& f) const
 {
-    const staggeredView perVolume(f, 1 / grid_.cellVolume());
+    staggeredTarget perVolume(f);
+    perVolume.factor /= grid_.cellVolume();
     if (kernel_.nPoints() == 3)
-        scatterWhole<3>(F, perVolume, f);
+        scatterWhole<3>(F, perVolume);
     else
-        scatterWhole<4>(F, perVolume, f);
+        scatterWhole<4>(F, perVolume);
 
-    for (const stencils& s : cut_)
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            const kernelStencil& sx = s.at[d != 0][0];
-            const scalar value = perVolume.factor * F[s.marker][d];
-            eachCutRow(s, d, perVolume,
-                       [&](const label row, const scalar weight)
-                       {
-                           scalar* values = f[d].data() + row;
-                           for (label i = 0; i < sx.size; ++i)
-                           {
-                               values[sx.at[i]] +=
-                                   value * weight * sx.weight[i];
-                           }
-                       });
-        }
-    }
+    eachCutRow(List<staggeredTarget>(1, perVolume),
+               [&](const label marker, const direction d,
+                   const staggeredTarget& f, const label* at,
+                   const scalar* weight, const label row, const scalar ofRow)
+               {
+                   scalar* p = f.first[d] + row;
+                   const scalar value = f.factor * ofRow * F[marker][d];
+                   for (int k = 0; k < 4; ++k)
+                   {
+                       p[at[k]] += value * weight[k];
+                   }
+               });
 }

@@ -35,8 +35,11 @@ public:
 
     virtual void add(const bodyPoints& body, scalar, vectorField& F) const
     {
-        if (actsOn(body.body)) all_.add(group_, body.body, F);
+        all_.add(group_, body.body, F);
     }
+
+    //- update() has
+    virtual bool looksAtPoints() const { return false; }
 };
 } // namespace
 

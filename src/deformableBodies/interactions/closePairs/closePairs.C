@@ -13,57 +13,86 @@ label layersOf(const uniformGrid& grid, const scalar distance)
     return label(std::ceil(distance / cmptMin(grid.h()))) + 1;
 }
 
-//- Numbers of bins along each direction, and the bin of a point
+//- Bins along each direction, no smaller than a distance and of the number of some
+//  times that of the points; the bin of a point
 class binning
 {
-    const uniformGrid& grid_;
+    point origin_;
+    vector perLength_;
     label n_[3];
-
-    label wrapped(const label i, const direction d) const
-    {
-        return (i % n_[d] + n_[d]) % n_[d];
-    }
+    bool periodic_[3];
 
 public:
-    binning(const uniformGrid& grid, const scalar distance)
-        : grid_(grid)
+    binning(const uniformGrid& grid, const scalar distance, const label nPoints)
+        : origin_(grid.origin())
     {
+        const scalar side =
+            max(distance, std::cbrt(cmptProduct(grid.length()) /
+                                    (8 * scalar(nPoints) + 64)));
         for (direction d = 0; d < 3; ++d)
         {
-            n_[d] = max(label(1), label(grid.length()[d] / distance));
+            n_[d] = max(label(1), label(grid.length()[d] / side));
+            perLength_[d] = n_[d] / grid.length()[d];
+            periodic_[d] = grid.periodic(d);
         }
     }
 
-    label along(const vector& x, const direction d) const
-    {
-        const label i = label(
-            std::floor((x[d] - grid_.origin()[d]) / grid_.length()[d] * n_[d]));
-        return grid_.periodic(d) ? wrapped(i, d)
-                                 : min(max(i, label(0)), n_[d] - 1);
-    }
-
     //- One number for a bin; those of neighbours in x follow each other
-    label number(const label i, const label j, const label k) const
+    label numberOf(const vector& x) const
     {
-        return i + n_[0] * (j + n_[1] * k);
+        return along(x, 0) + n_[0] * (along(x, 1) + n_[1] * along(x, 2));
     }
 
     label count() const { return n_[0] * n_[1] * n_[2]; }
 
+    //- visit(number) of a bin and the bins next to it, each once, those in x one
+    //  after the other
+    template<class Visit>
+    void eachNext(const label number, Visit visit) const
+    {
+        const label at[3] = {number % n_[0], number / n_[0] % n_[1],
+                             number / (n_[0] * n_[1])};
+        label bins[3][3], n[3];
+        for (direction d = 0; d < 3; ++d)
+        {
+            n[d] = next(at[d], d, bins[d]);
+        }
+        for (label k = 0; k < n[2]; ++k)
+        {
+            for (label j = 0; j < n[1]; ++j)
+            {
+                for (label i = 0; i < n[0]; ++i)
+                {
+                    visit(bins[0][i] +
+                          n_[0] * (bins[1][j] + n_[1] * bins[2][k]));
+                }
+            }
+        }
+    }
+
+private:
     //- The bins along a direction next to bin i, each once
     label next(const label i, const direction d, label* bins) const
     {
         label found = 0;
         for (label b = i - 1; b <= i + 1; ++b)
         {
-            if (!grid_.periodic(d) && (b < 0 || b >= n_[d])) continue;
-            const label w = wrapped(b, d);
+            if (!periodic_[d] && (b < 0 || b >= n_[d])) continue;
+            const label w = (b + n_[d]) % n_[d];
             if (std::find(bins, bins + found, w) == bins + found)
             {
                 bins[found++] = w;
             }
         }
         return found;
+    }
+
+    label along(const vector& x, const direction d) const
+    {
+        const label i = label(std::floor((x[d] - origin_[d]) * perLength_[d]));
+        if (i >= 0 && i < n_[d]) return i;
+        return periodic_[d] ? (i % n_[d] + n_[d]) % n_[d]
+                            : min(max(i, label(0)), n_[d] - 1);
     }
 };
 } // namespace
@@ -86,87 +115,126 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
     std::copy(all.begin(), all.end(), body_.begin());
     pairs_.clear();
 
-    // Points sorted by their bins, those of a bin side by side; of each bin which
-    // they are, and the body if all are of one
-    struct located
-    {
-        label bin, point, body;
-        bool held;
-        vector x;
-    };
+    // Points sorted by their bins, in their order within a bin
     const vectorField& x = here();
-    const binning bins(grid_, range_);
-    std::vector<located> sorted(x.size());
+    const binning bins(grid_, range_, x.size());
+    labelList binOf(x.size()), begin(bins.count() + 1, Zero);
     forAll(x, k)
     {
-        sorted[k] = {bins.number(bins.along(x[k], 0), bins.along(x[k], 1),
-                                 bins.along(x[k], 2)),
-                     k, body_[k], points_.holds(k), x[k]};
+        binOf[k] = bins.numberOf(x[k]);
+        ++begin[binOf[k] + 1];
     }
-    std::sort(sorted.begin(), sorted.end(),
-              [](const located& a, const located& b)
-              { return a.bin != b.bin ? a.bin < b.bin : a.point < b.point; });
-    struct content
+    for (label b = 0; b < bins.count(); ++b)
     {
-        label bin, first, last, onlyBody;
-    };
-    std::vector<content> contents;
-    for (size_t at = 0; at < sorted.size(); ++at)
+        begin[b + 1] += begin[b];
+    }
+    labelList point(x.size()), end(begin);
+    forAll(x, k)
     {
-        const located& p = sorted[at];
-        if (contents.empty() || contents.back().bin != p.bin)
+        point[end[binOf[k]]++] = k;
+    }
+    std::vector<double> at[3];
+    for (direction d = 0; d < 3; ++d)
+    {
+        at[d].resize(x.size());
+        forAll(point, p)
         {
-            contents.push_back({p.bin, label(at), 0, p.body});
+            at[d][p] = x[point[p]][d];
         }
-        content& c = contents.back();
-        c.last = label(at) + 1;
-        if (c.onlyBody != p.body) c.onlyBody = -1;
     }
 
-    labelList contentOf(bins.count(), -1);
-    for (size_t c = 0; c < contents.size(); ++c)
+    // The body of each bin's points if all are of one
+    labelList onlyBody(bins.count(), -1);
+    for (label b = 0; b < bins.count(); ++b)
     {
-        contentOf[contents[c].bin] = label(c);
-    }
-
-    const auto pairsOf = [&](const content& c, const content& other)
-    {
-        if (c.onlyBody >= 0 && c.onlyBody == other.onlyBody) return;
-        for (label p = c.first; p < c.last; ++p)
+        if (begin[b] == end[b]) continue;
+        const label first = body_[point[begin[b]]];
+        if (std::all_of(point.cbegin() + begin[b], point.cbegin() + end[b],
+                        [&](const label k) { return body_[k] == first; }))
         {
-            const located& a = sorted[p];
-            if (!a.held) continue;
-            for (label q = other.first; q < other.last; ++q)
+            onlyBody[b] = first;
+        }
+    }
+
+    // Those in bins next to a bin, each two bins once, side by side for vectors: ranges
+    // of the sorted points, points, places, squares of the distances from one
+    std::vector<labelPair> ranges;
+    std::vector<label> others;
+    std::vector<double> around[3], square;
+    const vector length(grid_.length());
+    vector perLength(Zero); // no images where it is 0
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (grid_.periodic(d)) perLength[d] = 1 / length[d];
+    }
+    const auto findSquares = [&](const vector& from)
+    {
+        const label n = others.size();
+        square.resize(n);
+        double* sum = square.data();
+        const double *bx = around[0].data(), *by = around[1].data(),
+                     *bz = around[2].data();
+        const vector a(from), L(length), perL(perLength);
+        const auto image = [](const double r, const double l, const double perl)
+        { return r - l * std::rint(r * perl); };
+#pragma GCC ivdep
+        for (label q = 0; q < n; ++q)
+        {
+            const double x = image(a.x() - bx[q], L.x(), perL.x());
+            const double y = image(a.y() - by[q], L.y(), perL.y());
+            const double z = image(a.z() - bz[q], L.z(), perL.z());
+            sum[q] = x * x + y * y + z * z;
+        }
+    };
+    for (label bin = 0; bin < bins.count(); ++bin)
+    {
+        if (begin[bin] == end[bin]) continue;
+        ranges.clear();
+        const auto collect = [&](const label other)
+        {
+            if (other < bin || begin[other] == end[other] ||
+                (onlyBody[bin] >= 0 && onlyBody[bin] == onlyBody[other]))
             {
-                // Once where both are held
-                const located& b = sorted[q];
-                if (a.body == b.body || (b.held && b.point < a.point)) continue;
-                const vector r(nearestImage(grid_, a.x, b.x));
-                if (magSqr(r) < sqr(range_))
-                {
-                    pairs_.push_back({a.point, b.point, b.held, r});
-                }
+                return;
+            }
+            if (ranges.size() && ranges.back().second() == begin[other])
+                ranges.back().second() = end[other];
+            else
+                ranges.push_back({begin[other], end[other]});
+        };
+        bins.eachNext(bin, collect);
+        others.clear();
+        for (auto& coordinates : around)
+        {
+            coordinates.clear();
+        }
+        for (const labelPair& r : ranges)
+        {
+            others.insert(others.end(), point.cbegin() + r.first(),
+                          point.cbegin() + r.second());
+            for (direction d = 0; d < 3; ++d)
+            {
+                around[d].insert(around[d].end(), at[d].begin() + r.first(),
+                                 at[d].begin() + r.second());
             }
         }
-    };
-    for (const content& c : contents)
-    {
-        const vector& inside = sorted[c.first].x;
-        label near[3][3], nNear[3];
-        for (direction d = 0; d < 3; ++d)
+        for (label p = begin[bin]; p < end[bin] && others.size(); ++p)
         {
-            nNear[d] = bins.next(bins.along(inside, d), d, near[d]);
-        }
-        for (label k = 0; k < nNear[2]; ++k)
-        {
-            for (label j = 0; j < nNear[1]; ++j)
+            const label a = point[p];
+            const bool held = points_.holds(a);
+            findSquares(x[a]);
+            for (size_t q = 0; q < others.size(); ++q)
             {
-                for (label i = 0; i < nNear[0]; ++i)
-                {
-                    const label other = contentOf[bins.number(
-                        near[0][i], near[1][j], near[2][k])];
-                    if (other >= 0) pairsOf(c, contents[other]);
-                }
+                if (square[q] >= sqr(range_)) continue;
+                const label b = others[q];
+                const bool again = binOf[b] == bin && b <= a;
+                if (body_[a] == body_[b] || again) continue;
+                const bool otherHeld = points_.holds(b);
+                const vector r(nearestImage(grid_, x[a], x[b]));
+                if (held)
+                    pairs_.push_back({a, b, otherHeld, r});
+                else if (otherHeld)
+                    pairs_.push_back({b, a, false, -r});
             }
         }
     }
