@@ -100,25 +100,21 @@ void Foam::bodyCollection::moveWithPrediction(const velocityPrediction& p)
     place(groups, mesh_.time().deltaTValue());
     collectLoads(groups);
     const vectorField before(F_);
-    const auto addForces = [&]()
+    for (label i = 1; i < p.force.size(); ++i)
     {
-        for (const staggeredTarget& force : p.force)
-        {
-            spread(force);
-        }
-    };
-    addForces();
-    {
-        const auto timing(effects_.time("interpolation"));
-        markers_->interpolate(p.u, U_);
+        spread(p.force[i]);
     }
+    spread(p.force[0], p.u);
     move(groups, true, p.impulseFraction);
     if (diverged_) return;
 
     // And what it has changed by
     collectLoads(groups);
     F_ -= before;
-    addForces();
+    for (const staggeredTarget& force : p.force)
+    {
+        spread(force);
+    }
 }
 
 Foam::labelList Foam::bodyCollection::groupsThat(const bool direct) const
@@ -228,13 +224,17 @@ Foam::vectorField Foam::bodyCollection::collectLoads(const labelList& groups)
     return X;
 }
 
-void Foam::bodyCollection::spread(const staggeredTarget& force)
+void Foam::bodyCollection::spread(const staggeredTarget& force,
+                                  const List<staggeredView>& u)
 {
     const auto timing(effects_.time("spreading"));
     staggeredTarget perMass(force);
     perMass.factor /= rho_;
-    markers_->spread(F_, perMass);
     if (periodicBox()) removeMean(perMass);
+    if (u.empty())
+        markers_->spread(F_, perMass);
+    else
+        markers_->spreadAndInterpolate(F_, perMass, u, U_);
 }
 
 void Foam::bodyCollection::updateViscosity(const labelList& groups,

@@ -320,6 +320,7 @@ void Foam::staggeredFlow::restore(const snapshot& s)
     wallsAhead_ = s.walls;
     responseTo_ = -1;
     filled_ = false;
+    force_.clear();
     if (history_) history_->rename(historyName(explicit_));
 }
 

@@ -178,8 +178,9 @@ void Foam::staggeredFlow::predict()
     if (!convection_ && !variable()) makeIncrements<false, false>(stepDt_, s);
 }
 
-// The increments of a stage without the implicit factors, as a share of those of
-// the whole step, predict the velocity at its end
+// Of AB2 with explicit diffusion the velocity with the increments added; else these,
+// without the implicit factors and as a share of those of the whole step, predict the
+// velocity at its end
 Foam::velocityPrediction Foam::staggeredFlow::prediction()
 {
     const scalar others = stages_[stage_].others, dt = others * stepDt_;

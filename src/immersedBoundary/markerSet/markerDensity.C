@@ -86,14 +86,14 @@ public:
 private:
     //- The markers of a bin: the first, their line if they have one in common, else
     //  -1, and the least and the greatest of their numbers
-    struct chain
+    struct binContent
     {
         label first = -1, line = -1, least = labelMax, most = -1;
     };
 
     const binsOfDirection bins_[3];
     std::vector<entry> all_;
-    std::vector<chain> chains_;
+    std::vector<binContent> contents_;
 
     label binOf(const label i, const label j, const label k) const
     {
@@ -106,7 +106,7 @@ public:
                const scalarField& ids)
         : bins_{{grid, 0}, {grid, 1}, {grid, 2}},
           all_(X.size()),
-          chains_(bins_[0].nBins * bins_[1].nBins * bins_[2].nBins)
+          contents_(bins_[0].nBins * bins_[1].nBins * bins_[2].nBins)
     {
         forAll(X, k)
         {
@@ -118,9 +118,9 @@ public:
             {
                 e.at[d] = bins_[d].place(X[k][d]);
             }
-            chain& c =
-                chains_[binOf(bins_[0].bin(e.at[0]), bins_[1].bin(e.at[1]),
-                              bins_[2].bin(e.at[2]))];
+            binContent& c =
+                contents_[binOf(bins_[0].bin(e.at[0]), bins_[1].bin(e.at[1]),
+                                bins_[2].bin(e.at[2]))];
             c.line = c.first < 0 || c.line == e.line ? e.line : -1;
             c.least = min(c.least, e.number);
             c.most = max(c.most, e.number);
@@ -156,8 +156,8 @@ public:
             {
                 for (int i = 0; i < nBins[0]; ++i)
                 {
-                    const chain& c =
-                        chains_[binOf(bin[0][i], bin[1][j], bin[2][l])];
+                    const binContent& c =
+                        contents_[binOf(bin[0][i], bin[1][j], bin[2][l])];
                     if (c.line == e.line && e.isBeside(c.least, c.most))
                     {
                         continue;

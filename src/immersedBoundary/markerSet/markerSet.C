@@ -19,29 +19,47 @@ void Foam::markerSet::place(const vectorField& X)
 void Foam::markerSet::interpolate(const List<staggeredView>& u,
                                   vectorField& U) const
 {
-    U.setSize(size());
-    if (!Pstream::parRun())
-    {
-        gather(u, U);
-        return;
-    }
-    scalarField here(3 * X().size());
-    UList<vector> there(reinterpret_cast<vector*>(here.data()), X().size());
-    gather(u, there);
-    U = Zero;
-    copies_.addUp(here, 3, reinterpret_cast<scalar*>(U.data()));
+    scatterThenGather(vectorField(), {}, u, U);
 }
 
 void Foam::markerSet::spread(const vectorField& F,
                              const staggeredTarget& f) const
 {
+    vectorField none;
+    scatterThenGather(F, {f}, {}, none);
+}
+
+void Foam::markerSet::spreadAndInterpolate(const vectorField& F,
+                                           const staggeredTarget& f,
+                                           const List<staggeredView>& u,
+                                           vectorField& U) const
+{
+    scatterThenGather(F, {f}, u, U);
+}
+
+// From and to the ranks that own the markers
+void Foam::markerSet::scatterThenGather(const vectorField& F,
+                                        const List<staggeredTarget>& f,
+                                        const List<staggeredView>& u,
+                                        vectorField& U) const
+{
+    if (u.size()) U.setSize(size());
     if (!Pstream::parRun())
     {
-        scatter(F, f);
+        sweep(F, f, u, U);
         return;
     }
-    scalarField here(
-        copies_.handOut(reinterpret_cast<const scalar*>(F.cdata()), 3));
-    scatter(UList<vector>(reinterpret_cast<vector*>(here.data()), X().size()),
-            f);
+    const auto numbers = [](const UList<vector>& v)
+    { return reinterpret_cast<const scalar*>(v.cdata()); };
+    scalarField forces, values(u.size() ? 3 * X().size() : 0);
+    if (f.size()) forces = copies_.handOut(numbers(F), 3);
+    const label n = X().size();
+    const UList<vector> forcesHere(reinterpret_cast<vector*>(forces.data()),
+                                   f.size() ? n : 0);
+    UList<vector> valuesHere(reinterpret_cast<vector*>(values.data()),
+                             u.size() ? n : 0);
+    sweep(forcesHere, f, u, valuesHere);
+    if (u.empty()) return;
+    U = Zero;
+    copies_.addUp(values, 3, reinterpret_cast<scalar*>(U.data()));
 }

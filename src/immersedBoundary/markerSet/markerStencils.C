@@ -21,14 +21,15 @@ inline fourValues& fourAt(double* p)
 }
 } // namespace
 
-//- Of a marker at faces in the three directions, then at centres in them
-struct Foam::markerSet::sixWeights
+//- Of a marker at faces in the three directions, then at centres in them: four points
+//  that follow each other
+struct Foam::markerSet::markerWeights
 {
-    scalar lowest[6];    //!< points, counted through the box
-    scalar weight[6][4]; //!< of them and the next ones
+    scalar lowest[6]; //!< first points, counted through the box
+    scalar weight[6][4];
 };
 
-Foam::markerSet::sixWeights Foam::markerSet::weightsAt(const vector& x) const
+Foam::markerSet::markerWeights Foam::markerSet::weightsAt(const vector& x) const
 {
     scalar position[6];
     for (direction d = 0; d < 3; ++d)
@@ -41,33 +42,32 @@ Foam::markerSet::sixWeights Foam::markerSet::weightsAt(const vector& x) const
         position[d] = at;
         position[d + 3] = at - 0.5;
     }
-    sixWeights w;
+    markerWeights w;
     kernel_.weights<6>(position, w.lowest, w.weight);
     return w;
 }
 
 // All points of a marker in the block of this rank, as they stand in memory?
-bool Foam::markerSet::makeWhole(const sixWeights& w, label* first,
+bool Foam::markerSet::makeWhole(const markerWeights& w, label* first,
                                 scalar* weights) const
 {
-    bool whole = true;
     for (int i = 0; i < 6; ++i)
     {
         const direction d = i % 3;
-        first[i] = label(w.lowest[i]) - grid_.box().lo[d];
+        const label lo = grid_.box().lo[d];
 
         // The faces of walls have their velocity from a boundary condition
-        const label least =
-            i < 3 && grid_.box().lo[d] == 0 && !grid_.periodic(d) ? 1 : 0;
+        const label least = i < 3 && lo == 0 && !grid_.periodic(d) ? 1 : lo;
         const label last =
-            grid_.box().size[d] - (d == 0 ? 4 : kernel_.nPoints());
-        whole = whole && first[i] >= least && first[i] <= last;
+            lo + grid_.box().size[d] - (d == 0 ? 4 : kernel_.nPoints());
+        if (!(w.lowest[i] >= least && w.lowest[i] <= last)) return false;
+        first[i] = label(w.lowest[i]) - lo;
         std::copy_n(w.weight[i], 4, weights + 4 * i);
     }
-    return whole;
+    return true;
 }
 
-void Foam::markerSet::makeCut(const vector& x, const sixWeights& w,
+void Foam::markerSet::makeCut(const vector& x, const markerWeights& w,
                               cutMarker& c) const
 {
     const label nPoints = kernel_.nPoints();
@@ -146,7 +146,7 @@ void Foam::markerSet::makeStencils()
 
     for (const label k : alongMemory())
     {
-        const sixWeights w(weightsAt(X()[k]));
+        const markerWeights w(weightsAt(X()[k]));
         if (makeWhole(w, &wholeFirst_[6 * whole_.size()],
                       &wholeWeights_[each * whole_.size()]))
         {
@@ -163,21 +163,22 @@ void Foam::markerSet::makeStencils()
 
 // ---- sums over the points of this rank
 
-// visit(marker, component, its row of weights along x, first point in the
-// field's memory of each row, weight of each row) for all whole markers. Rows
-// are fetched some markers ahead, as they lie all over memory
+// visit(marker, component, field, first point in the field's memory, weights along
+// x, y and z) for some whole markers. Rows are fetched some markers ahead, as they
+// lie all over memory
 template<int n, class Places, class Visit>
-void Foam::markerSet::eachWhole(const List<Places>& fields, Visit visit) const
+void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
+                                const label end, Visit visit) const
 {
     const label nWhole = whole_.size(), ahead = 6;
-    const label* first = wholeFirst_.data();
+    const label* first = wholeFirst_.data() + 6 * begin;
     const auto firstPoint =
         [](const label* f, const direction d, const Places& v)
     {
         return f[d == 0 ? 0 : 3] + v.row * f[d == 1 ? 1 : 4] +
                v.layer * f[d == 2 ? 2 : 5];
     };
-    for (label k = 0; k < nWhole; ++k, first += 6)
+    for (label k = begin; k < end; ++k, first += 6)
     {
         if (k + ahead < nWhole)
         {
@@ -250,10 +251,11 @@ void Foam::markerSet::eachCutRow(const List<Places>& fields, Visit visit) const
 
 template<int n>
 void Foam::markerSet::gatherWhole(const List<staggeredView>& u,
+                                  const label begin, const label end,
                                   UList<vector>& U) const
 {
     eachWhole<n>(
-        u,
+        u, begin, end,
         [&](const label marker, const direction d, const staggeredView& v,
             const label first, const scalar* wx, const scalar* wy,
             const scalar* wz)
@@ -272,15 +274,9 @@ void Foam::markerSet::gatherWhole(const List<staggeredView>& u,
         });
 }
 
-void Foam::markerSet::gather(const List<staggeredView>& u,
-                             UList<vector>& U) const
+void Foam::markerSet::gatherCut(const List<staggeredView>& u,
+                                UList<vector>& U) const
 {
-    U = vector(Zero);
-    if (kernel_.nPoints() == 3)
-        gatherWhole<3>(u, U);
-    else
-        gatherWhole<4>(u, U);
-
     eachCutRow(u,
                [&](const label marker, const direction d,
                    const staggeredView& v, const label* at,
@@ -298,9 +294,10 @@ void Foam::markerSet::gather(const List<staggeredView>& u,
 
 template<int n>
 void Foam::markerSet::scatterWhole(const UList<vector>& F,
-                                   const staggeredTarget& perVolume) const
+                                   const List<staggeredTarget>& f,
+                                   const label begin, const label end) const
 {
-    eachWhole<n>(List<staggeredTarget>(1, perVolume),
+    eachWhole<n>(f, begin, end,
                  [&](const label marker, const direction d,
                      const staggeredTarget& f, const label first,
                      const scalar* wx, const scalar* wy, const scalar* wz)
@@ -319,17 +316,10 @@ void Foam::markerSet::scatterWhole(const UList<vector>& F,
                  });
 }
 
-void Foam::markerSet::scatter(const UList<vector>& F,
-                              const staggeredTarget& f) const
+void Foam::markerSet::scatterCut(const UList<vector>& F,
+                                 const List<staggeredTarget>& f) const
 {
-    staggeredTarget perVolume(f);
-    perVolume.factor /= grid_.cellVolume();
-    if (kernel_.nPoints() == 3)
-        scatterWhole<3>(F, perVolume);
-    else
-        scatterWhole<4>(F, perVolume);
-
-    eachCutRow(List<staggeredTarget>(1, perVolume),
+    eachCutRow(f,
                [&](const label marker, const direction d,
                    const staggeredTarget& f, const label* at,
                    const scalar* weight, const label row, const scalar ofRow)
@@ -341,4 +331,49 @@ void Foam::markerSet::scatter(const UList<vector>& F,
                        p[at[k]] += value * weight[k];
                    }
                });
+}
+
+// Markers of a layer of cells reach two layers down and up: values at a layer are
+// complete when the forces of the third layer above have been added
+template<int n>
+void Foam::markerSet::sweep(const UList<vector>& F,
+                            const List<staggeredTarget>& f,
+                            const List<staggeredView>& u,
+                            UList<vector>& U) const
+{
+    const auto layerOf = [&](const label k)
+    { return grid_.cellAt(X()[whole_[k]].z(), 2); };
+    const label all = whole_.size();
+    label scattered = f.empty() ? all : 0, gathered = u.empty() ? all : 0;
+    while (scattered < all)
+    {
+        const label layer = layerOf(scattered), begin = scattered;
+        while (scattered < all && layerOf(scattered) == layer)
+            ++scattered;
+        scatterWhole<n>(F, f, begin, scattered);
+        const label first = gathered;
+        while (gathered < scattered && layerOf(gathered) < layer - 3)
+            ++gathered;
+        gatherWhole<n>(u, first, gathered, U);
+    }
+    gatherWhole<n>(u, gathered, all, U);
+}
+
+void Foam::markerSet::sweep(const UList<vector>& F,
+                            const List<staggeredTarget>& f,
+                            const List<staggeredView>& u,
+                            UList<vector>& U) const
+{
+    List<staggeredTarget> perVolume(f);
+    for (staggeredTarget& field : perVolume)
+    {
+        field.factor /= grid_.cellVolume();
+    }
+    U = vector(Zero);
+    scatterCut(F, perVolume);
+    if (kernel_.nPoints() == 3)
+        sweep<3>(F, perVolume, u, U);
+    else
+        sweep<4>(F, perVolume, u, U);
+    gatherCut(u, U);
 }

@@ -61,6 +61,7 @@ TEST(BodyCollection, aStepCanBeTakenBack)
         {
             for (label i = 0; i < 3; ++i)
             {
+                force.clear();
                 bodies.moveWithVelocity(u, force);
             }
             return bodies.save();
@@ -109,8 +110,8 @@ TEST(BodyCollection, aRegionHasItsOwnPlace)
     {
         bodyCollection bodies(box.mesh(), true);
         staggeredField u(uniformGrid::New(box.mesh()).box());
-        u.clear();
-        bodies.moveWithVelocity(u, u);
+        staggeredField force(u.box());
+        bodies.moveWithVelocity(u, force);
         EXPECT_TRUE(bodies.write());
     }
     const fileName state(root / time.timeName() / region / "uniform");

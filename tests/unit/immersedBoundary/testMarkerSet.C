@@ -107,6 +107,27 @@ TEST_P(MarkerSet, interpolationIsTheAdjointOfSpreading)
                       mag(onMarkers - onGrid) / size, 1e-13);
 }
 
+TEST_P(MarkerSet, findsVelocitiesInOneSweepWithForces)
+{
+    const vectorField X(randomMarkers(3000)), F(randomVectors(3000, 17));
+    staggeredField f(grid().box()), g(grid().box());
+    fill(f,
+         [](const point& p, const direction d) { return test::noise(p, d); });
+    g = f;
+    vectorField U, V;
+    markers.place(X);
+    markers.spread(F, f);
+    markers.interpolate({f}, U);
+    markers.spreadAndInterpolate(F, g, {g}, V);
+    test::expectBelow("velocities, relative", gMax(mag(U - V)) / gMax(mag(U)),
+                      1e-13);
+    for (direction d = 0; d < 3; ++d)
+    {
+        test::expectBelow("field with the forces, relative",
+                          gMax(mag(f[d] - g[d])) / gMax(mag(f[d])), 1e-13);
+    }
+}
+
 TEST_P(MarkerSet, conservesForce)
 {
     const vectorField X(randomMarkers(500)), F(randomVectors(500, 5));

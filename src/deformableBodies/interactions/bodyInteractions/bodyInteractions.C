@@ -38,7 +38,7 @@ public:
         all_.add(group_, body.body, F);
     }
 
-    //- update() has
+    //- update() has looked at them
     virtual bool looksAtPoints() const { return false; }
 };
 } // namespace

@@ -45,8 +45,7 @@ public:
 
     label count() const { return n_[0] * n_[1] * n_[2]; }
 
-    //- visit(number) of a bin and the bins next to it, each once, those in x one
-    //  after the other
+    //- visit(number) of a bin and the bins next to it, each once
     template<class Visit>
     void eachNext(const label number, Visit visit) const
     {
@@ -118,28 +117,28 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
     // Points sorted by their bins, in their order within a bin
     const vectorField& x = here();
     const binning bins(grid_, range_, x.size());
-    labelList binOf(x.size()), begin(bins.count() + 1, Zero);
+    labelList binOf(x.size()), binBegin(bins.count() + 1, Zero);
     forAll(x, k)
     {
         binOf[k] = bins.numberOf(x[k]);
-        ++begin[binOf[k] + 1];
+        ++binBegin[binOf[k] + 1];
     }
     for (label b = 0; b < bins.count(); ++b)
     {
-        begin[b + 1] += begin[b];
+        binBegin[b + 1] += binBegin[b];
     }
-    labelList point(x.size()), end(begin);
+    labelList sorted(x.size()), binEnd(binBegin);
     forAll(x, k)
     {
-        point[end[binOf[k]]++] = k;
+        sorted[binEnd[binOf[k]]++] = k;
     }
-    std::vector<double> at[3];
+    std::vector<double> coordinate[3];
     for (direction d = 0; d < 3; ++d)
     {
-        at[d].resize(x.size());
-        forAll(point, p)
+        coordinate[d].resize(x.size());
+        forAll(sorted, p)
         {
-            at[d][p] = x[point[p]][d];
+            coordinate[d][p] = x[sorted[p]][d];
         }
     }
 
@@ -147,9 +146,10 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
     labelList onlyBody(bins.count(), -1);
     for (label b = 0; b < bins.count(); ++b)
     {
-        if (begin[b] == end[b]) continue;
-        const label first = body_[point[begin[b]]];
-        if (std::all_of(point.cbegin() + begin[b], point.cbegin() + end[b],
+        if (binBegin[b] == binEnd[b]) continue;
+        const label first = body_[sorted[binBegin[b]]];
+        if (std::all_of(sorted.cbegin() + binBegin[b],
+                        sorted.cbegin() + binEnd[b],
                         [&](const label k) { return body_[k] == first; }))
         {
             onlyBody[b] = first;
@@ -188,44 +188,45 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
     };
     for (label bin = 0; bin < bins.count(); ++bin)
     {
-        if (begin[bin] == end[bin]) continue;
+        if (binBegin[bin] == binEnd[bin]) continue;
         ranges.clear();
         const auto collect = [&](const label other)
         {
-            if (other < bin || begin[other] == end[other] ||
+            if (other < bin || binBegin[other] == binEnd[other] ||
                 (onlyBody[bin] >= 0 && onlyBody[bin] == onlyBody[other]))
             {
                 return;
             }
-            if (ranges.size() && ranges.back().second() == begin[other])
-                ranges.back().second() = end[other];
+            if (ranges.size() && ranges.back().second() == binBegin[other])
+                ranges.back().second() = binEnd[other];
             else
-                ranges.push_back({begin[other], end[other]});
+                ranges.push_back({binBegin[other], binEnd[other]});
         };
         bins.eachNext(bin, collect);
         others.clear();
-        for (auto& coordinates : around)
+        for (auto& values : around)
         {
-            coordinates.clear();
+            values.clear();
         }
         for (const labelPair& r : ranges)
         {
-            others.insert(others.end(), point.cbegin() + r.first(),
-                          point.cbegin() + r.second());
+            others.insert(others.end(), sorted.cbegin() + r.first(),
+                          sorted.cbegin() + r.second());
             for (direction d = 0; d < 3; ++d)
             {
-                around[d].insert(around[d].end(), at[d].begin() + r.first(),
-                                 at[d].begin() + r.second());
+                around[d].insert(around[d].end(),
+                                 coordinate[d].begin() + r.first(),
+                                 coordinate[d].begin() + r.second());
             }
         }
-        for (label p = begin[bin]; p < end[bin] && others.size(); ++p)
+        for (label p = binBegin[bin]; p < binEnd[bin] && others.size(); ++p)
         {
-            const label a = point[p];
+            const label a = sorted[p];
             const bool held = points_.holds(a);
             findSquares(x[a]);
             for (size_t q = 0; q < others.size(); ++q)
             {
-                if (square[q] >= sqr(range_)) continue;
+                if (!(square[q] < sqr(range_))) continue;
                 const label b = others[q];
                 const bool again = binOf[b] == bin && b <= a;
                 if (body_[a] == body_[b] || again) continue;
