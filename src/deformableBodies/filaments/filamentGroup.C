@@ -236,6 +236,7 @@ Foam::bodyPoints Foam::filamentGroup::initialPoints(const label number) const
     return pointsOf(number, X, vectorField(X.size(), Zero));
 }
 
+// At each step: boundBox's own loop is not inlined and takes several times as long
 Foam::boundBox Foam::filamentGroup::bounds(const label i, const bool) const
 {
     const vectorField& X = bodies_[i].line.places();
@@ -368,5 +369,5 @@ void Foam::filamentGroup::checkStart(const label i,
                                      const dictionary& dict) const
 {
     const label number = mine()[i];
-    checkWalls(dict, number, boundBox(bodies_[i].line.places(), false));
+    checkWalls(dict, number, bounds(i, false));
 }
