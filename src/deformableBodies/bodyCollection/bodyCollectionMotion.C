@@ -162,7 +162,7 @@ void Foam::bodyCollection::place(const labelList& groups, const scalar dt)
         at += n;
     }
     markers_->place(X);
-    if (anyLines) markers_->lineDensity(line, lineDensity_);
+    if (anyLines) markers_->lineDensity(X, line, lineDensity_);
 }
 
 void Foam::bodyCollection::observe(const staggeredView& u)

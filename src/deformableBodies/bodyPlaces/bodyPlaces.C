@@ -233,7 +233,7 @@ void Foam::bodyPlaces::warnOfClose()
         point at = Zero;
     };
     List<encounter> closest(pairNamed_.size());
-    markers_.closeLines(body,
+    markers_.closeLines(X, body,
                         [&](const label a, const label b, const point& at,
                             const scalar distance)
                         {

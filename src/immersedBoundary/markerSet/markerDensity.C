@@ -74,21 +74,24 @@ public:
     {
         scalar at[3];
         label line, number, next;
+        bool folded; //!< may distant parts of its line meet?
 
-        //- Neighbours within one line: those further apart meet by chance
-        bool isBeside(const label least, const label most) const
+        //- Neighbours within one line: in one that is folded those further apart
+        //  meet by chance
+        bool isBeside(const entry& other) const
         {
             const label apart = 4;
-            return most - number <= apart && number - least <= apart;
+            return line == other.line &&
+                   (!folded || std::abs(number - other.number) <= apart);
         }
     };
 
 private:
-    //- The markers of a bin: the first, their line if they have one in common, else
-    //  -1, and the least and the greatest of their numbers
+    //- The markers of a bin: the first, and their line if they have one in common,
+    //  else -1
     struct binContent
     {
-        label first = -1, line = -1, least = labelMax, most = -1;
+        label first = -1, line = -1;
     };
 
     const binsOfDirection bins_[3];
@@ -101,7 +104,8 @@ private:
     }
 
 public:
-    //- ids: line of each marker, left out where negative, and its number
+    //- ids of each marker: its line, left out where negative, its number and whether
+    //  the line is folded
     markerBins(const uniformGrid& grid, const UList<vector>& X,
                const scalarField& ids)
         : bins_{{grid, 0}, {grid, 1}, {grid, 2}},
@@ -111,8 +115,9 @@ public:
         forAll(X, k)
         {
             entry& e = all_[k];
-            e.line = label(ids[2 * k]);
-            e.number = label(ids[2 * k + 1]);
+            e.line = label(ids[3 * k]);
+            e.number = label(ids[3 * k + 1]);
+            e.folded = ids[3 * k + 2];
             if (e.line < 0) continue;
             for (direction d = 0; d < 3; ++d)
             {
@@ -122,8 +127,6 @@ public:
                 contents_[binOf(bins_[0].bin(e.at[0]), bins_[1].bin(e.at[1]),
                                 bins_[2].bin(e.at[2]))];
             c.line = c.first < 0 || c.line == e.line ? e.line : -1;
-            c.least = min(c.least, e.number);
-            c.most = max(c.most, e.number);
             e.next = c.first;
             c.first = k;
         }
@@ -138,7 +141,7 @@ public:
     }
 
     //- visit(other) of all in the bins within lineReach of a marker, but for bins
-    //  where there are only neighbours of its own line
+    //  where there is only its own line, which is not folded
     template<class Visit>
     void eachNear(const entry& e, Visit visit) const
     {
@@ -158,10 +161,7 @@ public:
                 {
                     const binContent& c =
                         contents_[binOf(bin[0][i], bin[1][j], bin[2][l])];
-                    if (c.line == e.line && e.isBeside(c.least, c.most))
-                    {
-                        continue;
-                    }
+                    if (c.line == e.line && !e.folded) continue;
                     for (label m = c.first; m >= 0; m = all_[m].next)
                     {
                         visit(all_[m]);
@@ -175,22 +175,55 @@ public:
 
 constexpr Foam::scalar Foam::markerSet::lineReach;
 
-Foam::scalarField Foam::markerSet::linesHere(const labelUList& line) const
+// A line is not folded where all its parts run within 60 degrees of its chord, and
+// its periodic images are beyond reach
+Foam::scalarField Foam::markerSet::linesHere(const UList<vector>& X,
+                                             const labelUList& line) const
 {
-    scalarField ids(2 * size());
-    forAll(line, k)
+    const auto isFolded = [&](const label begin, const label end)
     {
-        ids[2 * k] = line[k];
-        ids[2 * k + 1] = k;
+        const vector chord(X[end - 1] - X[begin]);
+        for (direction d = 0; d < 3; ++d)
+        {
+            const scalar most = grid_.n()[d] - 2 * lineReach;
+            if (grid_.periodic(d) && mag(chord[d]) > most * grid_.h()[d])
+            {
+                return true;
+            }
+        }
+        for (label k = begin; k + 1 < end; ++k)
+        {
+            const vector part(X[k + 1] - X[k]);
+            const scalar along = part & chord;
+            if (along <= 0 || 4 * sqr(along) < magSqr(part) * magSqr(chord))
+            {
+                return true;
+            }
+        }
+        return false;
+    };
+    scalarField ids(3 * size());
+    for (label begin = 0, end = 0; begin < line.size(); begin = end)
+    {
+        while (end < line.size() && line[end] == line[begin])
+            ++end;
+        const bool folded = line[begin] >= 0 && isFolded(begin, end);
+        for (label k = begin; k < end; ++k)
+        {
+            ids[3 * k] = line[k];
+            ids[3 * k + 1] = k;
+            ids[3 * k + 2] = folded;
+        }
     }
-    return copies_.handOut(ids.cdata(), 2);
+    return copies_.handOut(ids.cdata(), 3);
 }
 
-void Foam::markerSet::closeLines(const labelUList& line,
+void Foam::markerSet::closeLines(const UList<vector>& X, const labelUList& line,
                                  const visitor& visit) const
 {
-    const markerBins bins(grid_, X(), linesHere(line));
-    forAll(X(), k)
+    const vectorField& here = copies_.here();
+    const markerBins bins(grid_, here, linesHere(X, line));
+    forAll(here, k)
     {
         const markerBins::entry& e = bins[k];
         if (e.line < 0 || !copies_.holds(k)) continue;
@@ -205,7 +238,7 @@ void Foam::markerSet::closeLines(const labelUList& line,
                           }
                           if (squares < sqr(lineReach))
                           {
-                              visit(e.line, other.line, X()[k],
+                              visit(e.line, other.line, here[k],
                                     std::sqrt(squares));
                           }
                       });
@@ -214,14 +247,16 @@ void Foam::markerSet::closeLines(const labelUList& line,
 
 // The kernel sees another marker the less the further it is away along each
 // direction; here a straight line down to zero stands for that
-void Foam::markerSet::lineDensity(const labelUList& line,
+void Foam::markerSet::lineDensity(const UList<vector>& X,
+                                  const labelUList& line,
                                   scalarField& density) const
 {
-    const markerBins bins(grid_, X(), linesHere(line));
+    const vectorField& here = copies_.here();
+    const markerBins bins(grid_, here, linesHere(X, line));
 
-    scalarField others(X().size(), Zero);
+    scalarField others(here.size(), Zero);
     std::vector<std::pair<label, scalar>> touched; // line, largest share
-    forAll(X(), k)
+    forAll(here, k)
     {
         // A marker's surroundings are known to the rank that holds its cell
         const markerBins::entry& e = bins[k];
@@ -229,10 +264,7 @@ void Foam::markerSet::lineDensity(const labelUList& line,
         touched.clear();
         const auto touch = [&](const markerBins::entry& other)
         {
-            if (other.line == e.line && e.isBeside(other.number, other.number))
-            {
-                return;
-            }
+            if (e.isBeside(other)) return;
             scalar share = 1;
             for (direction d = 0; d < 3; ++d)
             {

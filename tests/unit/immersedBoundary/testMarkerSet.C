@@ -211,7 +211,7 @@ TEST_P(MarkerSet, countsLinesInOnePlace)
 
         markers.place(X);
         scalarField density;
-        markers.lineDensity(line, density);
+        markers.lineDensity(X, line, density);
         forAll(X, k)
         {
             // Where the one across touches them, and where nobody does. A box
@@ -222,6 +222,31 @@ TEST_P(MarkerSet, countsLinesInOnePlace)
             if (grid().n()[line[k] == 77 ? 1 : 0] < each + 2) continue;
             EXPECT_NEAR(density[k], lines, 1e-12) << "marker " << at;
         }
+    }
+}
+
+// A straight line, whatever its direction, and one that comes back to itself
+TEST_P(MarkerSet, countsALineOnceUnlessItIsFolded)
+{
+    const label each = 12;
+    for (const bool folded : {false, true})
+    {
+        vectorField X(Pstream::master() ? each : 0);
+        const vector middle(grid().origin() + 0.5 * grid().length());
+        const vector part((0.3 / std::sqrt(3.0)) * grid().h());
+        forAll(X, k)
+        {
+            const label at = folded && k >= each / 2 ? each - 1 - k : k;
+            X[k] = middle + scalar(at) * part;
+        }
+        markers.place(X);
+        scalarField density;
+        markers.lineDensity(X, labelList(X.size(), 5), density);
+        if (X.empty()) continue;
+        if (folded)
+            EXPECT_NEAR(density[0], 2, 1e-12);
+        else
+            EXPECT_NEAR(max(density), 1, 1e-12);
     }
 }
 
