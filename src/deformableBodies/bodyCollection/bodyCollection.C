@@ -25,7 +25,8 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
       mesh_(mesh),
       grid_(uniformGrid::New(mesh)),
       effects_(mesh.time(), mesh.dbDir()),
-      solverBalances_(solverBalances)
+      solverBalances_(solverBalances),
+      placed_(grid_)
 {
     const IOobject io("deformableBodies", mesh.time().constant(), mesh,
                       IOobject::MUST_READ, IOobject::NO_WRITE, false);

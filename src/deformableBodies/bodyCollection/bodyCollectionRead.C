@@ -55,6 +55,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                           readCoupling(dict, bodyCoupling::twoWay),
                           removesOutside(dict, false),
                           forces_,
+                          placed_,
                           effects_};
     bool feedback = false, inFluid = false;
     const dictionary& bodies =

@@ -2,6 +2,7 @@
 
 #include "bodyGroup.H"
 #include "dictionaryChecks.H"
+#include "placement.H"
 #include <algorithm>
 
 namespace Foam
@@ -170,25 +171,68 @@ Foam::List<Foam::scalarList> Foam::bodyGroup::states() const
     return all;
 }
 
-Foam::pointField Foam::bodyGroup::readPositions(const dictionary& dict)
+void Foam::bodyGroup::readPlaces(const dictionary& dict, const solidForm& form,
+                                 const scalar volume, const scalar fromCentre)
 {
-    const pointField positions(dict.lookup("positions"));
-    if (positions.empty())
+    const vector lo(scene_.grid.origin()), L(scene_.grid.length());
+    if (dict.found("placement"))
+    {
+        const placement places(dict, name_, form, volume, scene_.grid,
+                               scene_.placed);
+        positions_ = places.centres() + fromCentre * places.directions();
+        directions_ = places.directions();
+        for (point& x : positions_)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                if (!scene_.grid.periodic(d)) continue;
+                x[d] -= L[d] * std::floor((x[d] - lo[d]) / L[d]);
+            }
+        }
+        nBodies_ = positions_.size();
+        placedAtRandom_ = true;
+        return;
+    }
+
+    positions_ = pointField(dict.lookup("positions"));
+    if (positions_.empty())
     {
         refuse(dict, "positions", "()", "at least one point, ((x y z) ...)");
     }
-    const boundBox box(scene_.grid.origin(),
-                       scene_.grid.origin() + scene_.grid.length());
-    forAll(positions, i)
+    const boundBox box(lo, lo + L);
+    forAll(positions_, i)
     {
-        if (!box.contains(positions[i]))
+        if (!box.contains(positions_[i]))
         {
             FatalIOErrorInFunction(dict)
-                << "entry positions: body " << i << " at " << positions[i]
+                << "entry positions: body " << i << " at " << positions_[i]
                 << " lies outside the box" << nl << "    allowed: points in "
                 << box.min() << " to " << box.max() << exit(FatalIOError);
         }
     }
-    nBodies_ = positions.size();
-    return positions;
+    nBodies_ = positions_.size();
+    if (dict.found("directions"))
+    {
+        directions_ = vectorField(dict.lookup("directions"));
+        if (directions_.size() != nBodies_)
+        {
+            refuse(dict, "directions",
+                   Foam::name(directions_.size()) + " vectors",
+                   "as many as positions, " + Foam::name(nBodies_));
+        }
+        for (vector& t : directions_)
+        {
+            if (!(mag(t) > 0))
+            {
+                refuse(dict, "directions", "(0 0 0)",
+                       "directions of any length but 0, such as (1 0 0)");
+            }
+            t /= mag(t);
+        }
+    }
+    for (label i = 0; twoWay() && i < nBodies_; ++i)
+    {
+        const vector t(directions_.empty() ? vector(0, 0, 1) : directions_[i]);
+        scene_.placed.add({form, positions_[i] - fromCentre * t, t});
+    }
 }

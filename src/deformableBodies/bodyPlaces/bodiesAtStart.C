@@ -5,7 +5,8 @@
 #include "bodyPlaces.H"
 #include "dictionaryChecks.H"
 #include "mathematicalConstants.H"
-#include <unordered_map>
+#include "pointBins.H"
+#include "segmentDistance.H"
 
 namespace
 {
@@ -59,19 +60,6 @@ pointField someOf(const bodyPoints& body, const label n, const scalar apart)
     return pointField(std::move(points));
 }
 
-//- Shortest distance of the segments a-b and c-d
-scalar distance(const point& a, const point& b, const point& c, const point& d)
-{
-    const vector u(b - a), v(d - c), w(a - c);
-    const scalar uu = u & u, uv = u & v, vv = v & v, uw = u & w, vw = v & w;
-    const scalar det = uu * vv - uv * uv;
-    scalar s = det > 1e-12 * uu * vv ? (uv * vw - vv * uw) / det : 0;
-    s = min(max(s, scalar(0)), scalar(1));
-    const scalar t = min(max((uv * s + vw) / vv, scalar(0)), scalar(1));
-    s = min(max((uv * t - uw) / uu, scalar(0)), scalar(1));
-    return mag(w + s * u - t * v);
-}
-
 //- What two bodies do that they cannot, or nothing
 enum class meeting
 {
@@ -92,8 +80,9 @@ meeting meetingOf(const bodyPoints& a, const bodyPoints& b, const scalar h)
         {
             for (label j = 1; j < b.places.size(); ++j)
             {
-                if (distance(a.places[i - 1], a.places[i], b.places[j - 1],
-                             b.places[j]) < thickness)
+                if (mag(connect(a.places[i - 1], a.places[i], b.places[j - 1],
+                                b.places[j])
+                            .r) < thickness)
                 {
                     return meeting::overlap;
                 }
@@ -147,26 +136,12 @@ void Foam::bodyPlaces::checkStart(const dictionary& dict) const
     }
     if (bodies.size() < 2) return;
 
-    // In bins no smaller than the largest body
     const vector L(grid_.length());
-    label n[3];
-    for (direction d = 0; d < 3; ++d)
-    {
-        n[d] = max(label(1), label(min(scalar(1000), L[d] / (2 * largest))));
-    }
-    const auto binAt = [&](const point& x, const direction d)
-    {
-        const label b =
-            label(std::floor((x[d] - grid_.origin()[d]) / L[d] * n[d]));
-        return min(max(b, label(0)), n[d] - 1);
-    };
-    std::unordered_map<label, DynamicList<label>> bins;
-    const auto key = [&](const label i, const label j, const label k)
-    { return i + n[0] * (j + n[1] * k); };
+    const pointBins bins(grid_, 2 * largest, bodies.size());
+    List<DynamicList<label>> inBin(bins.count());
     forAll(bodies, b)
     {
-        const point& x = bodies[b].centre;
-        bins[key(binAt(x, 0), binAt(x, 1), binAt(x, 2))].append(b);
+        inBin[bins.numberOf(bodies[b].centre)].append(b);
     }
 
     const scalar h = cmptMin(grid_.h());
@@ -211,38 +186,14 @@ void Foam::bodyPlaces::checkStart(const dictionary& dict) const
         // Each pair is looked at by the rank of the second
         const startingBody& body = bodies[b];
         if (!groups_[body.group].mine().found(body.number)) continue;
-        label at[3][3], nAt[3];
-        for (direction d = 0; d < 3; ++d)
-        {
-            nAt[d] = 0;
-            for (label k = -1; k <= 1; ++k)
-            {
-                label i = binAt(body.centre, d) + k;
-                if (grid_.periodic(d)) i = (i + n[d]) % n[d];
-                bool again = i < 0 || i >= n[d];
-                for (label j = 0; j < nAt[d]; ++j)
-                {
-                    again = again || at[d][j] == i;
-                }
-                if (!again) at[d][nAt[d]++] = i;
-            }
-        }
-        for (label i = 0; i < nAt[0]; ++i)
-        {
-            for (label j = 0; j < nAt[1]; ++j)
-            {
-                for (label k = 0; k < nAt[2]; ++k)
-                {
-                    const auto bin =
-                        bins.find(key(at[0][i], at[1][j], at[2][k]));
-                    if (bin == bins.end()) continue;
-                    for (const label other : bin->second)
-                    {
-                        if (other < b) judgePair(bodies[other], body);
-                    }
-                }
-            }
-        }
+        bins.eachNext(bins.numberOf(body.centre),
+                      [&](const label bin)
+                      {
+                          for (const label other : inBin[bin])
+                          {
+                              if (other < b) judgePair(bodies[other], body);
+                          }
+                      });
     }
 
     reduce(nWarnings, sumOp<label>());

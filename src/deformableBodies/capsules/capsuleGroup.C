@@ -19,12 +19,12 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     : bodyGroup(name, dict, scene)
 {
     checkEntries(dict,
-                 {"type",      "shape",        "positions",      "membrane",
-                  "harmonics", "dealiasing",   "markerSpacing",  "shearPlane",
-                  "coupling",  "bending",      "viscosityRatio", "prestress",
-                  "gravity",   "densityRatio", "stressFree",     "motion",
-                  "thickness", "filter",       "nearField",      "restart",
-                  "outside"});
+                 {"type",           "shape",      "positions", "membrane",
+                  "directions",     "placement",  "harmonics", "dealiasing",
+                  "markerSpacing",  "shearPlane", "coupling",  "bending",
+                  "viscosityRatio", "prestress",  "gravity",   "densityRatio",
+                  "stressFree",     "motion",     "thickness", "filter",
+                  "nearField",      "restart",    "outside"});
     if (dict.found("viscosityRatio"))
     {
         viscosityRatio_ = readPositive(dict, "viscosityRatio", dimless);
@@ -163,7 +163,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
             << endl;
     }
 
-    positions_ = readPositions(dict);
+    readStart(dict);
     judgeSize(dict);
 
     scene_.effects.declare("membrane", true,
@@ -179,6 +179,40 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     scene_.effects.declare("gravity", heavy,
                            heavy ? "weight of the filling"
                                  : "none on the bodies");
+}
+
+// The ellipsoid around the shape: that of the shape's extents about its own axis,
+// grown in proportion until all points are in it
+void Foam::capsuleGroup::readStart(const dictionary& dict)
+{
+    const vector axis(
+        dict.subDict("shape").getOrDefault<vector>("axis", vector(0, 0, 1)));
+    axis_ = axis / mag(axis);
+    vectorField X(markerGrid_->nPoints());
+    atMarkers(initial_, X.data(), 1);
+    X = turnTo(axis_).T() & X;
+    vector semiAxes(Zero);
+    for (const vector& x : X)
+    {
+        semiAxes = max(semiAxes, cmptMag(x));
+    }
+    scalar furthest = 0;
+    for (const vector& x : X)
+    {
+        furthest = max(furthest, mag(cmptDivide(x, semiAxes)));
+    }
+    semiAxes *= furthest;
+    if (cmptMax(semiAxes) < 1.02 * cmptMin(semiAxes))
+    {
+        semiAxes = cmptMax(semiAxes) * vector::one;
+    }
+    readPlaces(dict, {semiAxes, 0}, referenceVolume_, 0);
+}
+
+Foam::tensor Foam::capsuleGroup::turnOf(const label body) const
+{
+    if (directions_.empty()) return tensor::I;
+    return turnTo(directions_[body]) & turnTo(axis_).T();
 }
 
 void Foam::capsuleGroup::setFilter(const dictionary& dict)
@@ -274,6 +308,12 @@ void Foam::capsuleGroup::insertBody(const label i, const label body)
     // The harmonic of degree 0 is 1/sqrt(4 pi)
     capsule c;
     c.x = initial_;
+    const tensor turn(turnOf(body));
+    for (size_t k = 0; k < c.x.size(); k += 3)
+    {
+        const vector x(turn & vector(c.x[k], c.x[k + 1], c.x[k + 2]));
+        std::copy_n(&x[0], 3, &c.x[k]);
+    }
     for (direction d = 0; d < 3; ++d)
     {
         c.x[d] +=
@@ -292,15 +332,18 @@ void Foam::capsuleGroup::eraseBody(const label i)
 
 Foam::point Foam::capsuleGroup::initialCentre(const label body) const
 {
-    return positions_[body] + vector(initial_[0], initial_[1], initial_[2]) /
-                                  std::sqrt(4 * constant::mathematical::pi);
+    return positions_[body] +
+           (turnOf(body) & vector(initial_[0], initial_[1], initial_[2])) /
+               std::sqrt(4 * constant::mathematical::pi);
 }
 
 Foam::bodyPoints Foam::capsuleGroup::initialPoints(const label body) const
 {
     bodyPoints p(points(-1));
     p.body = body;
-    p.places += positions_[body];
+    const tensor turn(turnOf(body));
+    p.places = positions_[body] + (turn & p.places);
+    p.areas = turn & p.areas;
     return p;
 }
 

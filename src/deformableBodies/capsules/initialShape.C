@@ -4,7 +4,7 @@
 #include "dictionaryChecks.H"
 #include "IFstream.H"
 #include "OSspecific.H"
-#include "transform.H"
+#include "packing.H"
 #include "triSurface.H"
 #include "triSurfaceSearch.H"
 #include <cmath>
@@ -159,10 +159,7 @@ std::vector<double> Foam::initialShape(const dictionary& dict,
     const word type(dict.get<word>("type"));
     const vector axis(dict.getOrDefault<vector>("axis", vector(0, 0, 1)));
     if (!(mag(axis) > 0)) refuse(dict, "axis", "(0 0 0)", "a direction");
-    // (between opposite vectors rotationTensor returns a mirror)
-    const vector e(axis / mag(axis));
-    const tensor turn(e.z() < -1 + 1e-12 ? tensor(1, 0, 0, 0, -1, 0, 0, 0, -1)
-                                         : rotationTensor(vector(0, 0, 1), e));
+    const tensor turn(turnTo(axis / mag(axis)));
 
     const int n = grid.nPoints();
     std::vector<double> values(3 * n), coeffs(3 * grid.nCoeffs());

@@ -31,11 +31,11 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
                                    const bodyScene& scene)
     : bodyGroup(name, dict, scene)
 {
-    checkEntries(dict,
-                 {"type", "length", "diameter", "segments", "bendingRigidity",
-                  "densityRatio", "ends", "positions", "directions", "gravity",
-                  "coupling", "shearPlane", "scheme", "thicknessCouple",
-                  "baseMotion", "bow", "restart", "outside"});
+    checkEntries(dict, {"type", "length", "diameter", "segments",
+                        "bendingRigidity", "densityRatio", "ends", "positions",
+                        "directions", "placement", "gravity", "coupling",
+                        "shearPlane", "scheme", "thicknessCouple", "baseMotion",
+                        "bow", "restart", "outside"});
 
     properties_.length = readPositive(dict, "length", dimLength);
     const scalar diameter = readPositive(dict, "diameter", dimLength);
@@ -127,19 +127,17 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
 // Places, directions and shape at the start
 void Foam::filamentGroup::readStart(const dictionary& dict)
 {
-    positions_ = readPositions(dict);
-    directions_ = vectorField(dict.lookup("directions"));
-    if (directions_.size() != positions_.size())
-    {
-        refuse(dict, "directions", Foam::name(directions_.size()) + " vectors",
-               "as many as positions, " + Foam::name(positions_.size()));
-    }
     bow_ = dict.getOrDefault<vector>("bow", Zero);
     if (mag(bow_) > 0.3 * properties_.length)
     {
         refuse(dict, "bow", Foam::name(mag(bow_)) + " m",
                "up to 0.3 of the length");
     }
+    if (!dict.found("placement")) dict.get<vectorField>("directions");
+    const scalar L0 = properties_.length;
+    readPlaces(dict, {(0.5 * thickness_ + mag(bow_)) * vector::one, 0.5 * L0},
+               L0 * 0.25 * constant::mathematical::pi * sqr(thickness_),
+               -0.5 * L0);
     const vector L(scene_.grid.length());
     for (direction d = 0; d < 3; ++d)
     {
@@ -157,11 +155,6 @@ void Foam::filamentGroup::readStart(const dictionary& dict)
                             properties_.ends[1] != filament::FREE;
     for (const vector& t : directions_)
     {
-        if (!(mag(t) > 0))
-        {
-            refuse(dict, "directions", "(0 0 0)",
-                   "directions of any length but 0, such as (1 0 0)");
-        }
         if (mag(bow_) > 0 && !(mag(bow_ ^ t) > 1e-6 * mag(bow_) * mag(t)))
         {
             OStringStream given;

@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "closePairs.H"
+#include "pointBins.H"
 #include <algorithm>
 
 namespace
@@ -12,88 +13,6 @@ label layersOf(const uniformGrid& grid, const scalar distance)
 {
     return label(std::ceil(distance / cmptMin(grid.h()))) + 1;
 }
-
-//- Bins along each direction, no smaller than a distance and of the number of some
-//  times that of the points; the bin of a point
-class binning
-{
-    point origin_;
-    vector perLength_;
-    label n_[3];
-    bool periodic_[3];
-
-public:
-    binning(const uniformGrid& grid, const scalar distance, const label nPoints)
-        : origin_(grid.origin())
-    {
-        const scalar side =
-            max(distance, std::cbrt(cmptProduct(grid.length()) /
-                                    (8 * scalar(nPoints) + 64)));
-        for (direction d = 0; d < 3; ++d)
-        {
-            n_[d] = max(label(1), label(grid.length()[d] / side));
-            perLength_[d] = n_[d] / grid.length()[d];
-            periodic_[d] = grid.periodic(d);
-        }
-    }
-
-    //- One number for a bin; those of neighbours in x follow each other
-    label numberOf(const vector& x) const
-    {
-        return along(x, 0) + n_[0] * (along(x, 1) + n_[1] * along(x, 2));
-    }
-
-    label count() const { return n_[0] * n_[1] * n_[2]; }
-
-    //- visit(number) of a bin and the bins next to it, each once
-    template<class Visit>
-    void eachNext(const label number, Visit visit) const
-    {
-        const label at[3] = {number % n_[0], number / n_[0] % n_[1],
-                             number / (n_[0] * n_[1])};
-        label bins[3][3], n[3];
-        for (direction d = 0; d < 3; ++d)
-        {
-            n[d] = next(at[d], d, bins[d]);
-        }
-        for (label k = 0; k < n[2]; ++k)
-        {
-            for (label j = 0; j < n[1]; ++j)
-            {
-                for (label i = 0; i < n[0]; ++i)
-                {
-                    visit(bins[0][i] +
-                          n_[0] * (bins[1][j] + n_[1] * bins[2][k]));
-                }
-            }
-        }
-    }
-
-private:
-    //- The bins along a direction next to bin i, each once
-    label next(const label i, const direction d, label* bins) const
-    {
-        label found = 0;
-        for (label b = i - 1; b <= i + 1; ++b)
-        {
-            if (!periodic_[d] && (b < 0 || b >= n_[d])) continue;
-            const label w = (b + n_[d]) % n_[d];
-            if (std::find(bins, bins + found, w) == bins + found)
-            {
-                bins[found++] = w;
-            }
-        }
-        return found;
-    }
-
-    label along(const vector& x, const direction d) const
-    {
-        const label i = label(std::floor((x[d] - origin_[d]) * perLength_[d]));
-        if (i >= 0 && i < n_[d]) return i;
-        return periodic_[d] ? (i % n_[d] + n_[d]) % n_[d]
-                            : min(max(i, label(0)), n_[d] - 1);
-    }
-};
 } // namespace
 
 Foam::closePairs::closePairs(const uniformGrid& grid, const scalar range)
@@ -116,7 +35,7 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
 
     // Points sorted by their bins, in their order within a bin
     const vectorField& x = here();
-    const binning bins(grid_, range_, x.size());
+    const pointBins bins(grid_, range_, x.size());
     labelList binOf(x.size()), binBegin(bins.count() + 1, Zero);
     forAll(x, k)
     {

@@ -1,0 +1,164 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "placement.H"
+#include "dictionaryChecks.H"
+#include "unitConversion.H"
+
+namespace
+{
+using namespace Foam;
+
+//- Entry orientation
+struct orientation
+{
+    enum kindType
+    {
+        RANDOM,
+        ALIGNED,
+        NORMAL
+    };
+    kindType kind = RANDOM;
+    vector mean = vector(1, 0, 0);
+    scalar deviation = 0;
+
+    explicit orientation(const dictionary& dict)
+    {
+        if (!dict.found("orientation")) return;
+        const auto refuseIt = [&]()
+        {
+            refuse(
+                dict, "orientation", valueOf(*dict.findEntry("orientation")),
+                "random, aligned (1 0 0), normal (1 0 0) 10: a direction and "
+                "a standard deviation in degrees");
+        };
+        const tokenList& given = dict.lookup("orientation");
+        const Enum<kindType> kinds(
+            {{RANDOM, "random"}, {ALIGNED, "aligned"}, {NORMAL, "normal"}});
+        const label size[3] = {1, 6, 7};
+        if (given.empty() || !given[0].isWord() ||
+            !kinds.found(given[0].wordToken()))
+        {
+            refuseIt();
+        }
+        kind = kinds[given[0].wordToken()];
+        if (given.size() != size[kind]) refuseIt();
+        if (kind == RANDOM) return;
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (!given[2 + d].isNumber()) refuseIt();
+            mean[d] = given[2 + d].number();
+        }
+        if (!(mag(mean) > 0)) refuseIt();
+        mean /= mag(mean);
+        if (kind == ALIGNED) return;
+        if (!given[6].isNumber() || !(given[6].number() > 0)) refuseIt();
+        deviation = degToRad(given[6].number());
+    }
+
+    vector draw(Random& random) const
+    {
+        if (kind == ALIGNED) return mean;
+        const vector away(random.GaussNormal<scalar>(),
+                          random.GaussNormal<scalar>(),
+                          random.GaussNormal<scalar>());
+        if (kind == RANDOM) return away / mag(away);
+        const vector t(mean + deviation * (away - (away & mean) * mean));
+        return t / mag(t);
+    }
+};
+} // namespace
+
+Foam::placement::placement(const dictionary& group, const word& name,
+                           const solidForm& form, const scalar volume,
+                           const uniformGrid& grid, packing& all)
+{
+    const dictionary& dict =
+        readDict(group, "placement", "type random; number 200;");
+    checkEntries(dict, {"type", "number", "volumeFraction", "seed",
+                        "minimumGap", "orientation"});
+    for (const word entry : {"positions", "directions"})
+    {
+        if (group.found(entry))
+        {
+            refuse(
+                group, entry, valueOf(*group.findEntry(entry)),
+                "either that or placement {...}, which says where the bodies "
+                "are");
+        }
+    }
+    const word type(dict.get<word>("type"));
+    if (type != "random") refuse(dict, "type", type, "(random)");
+
+    if (dict.found("number") == dict.found("volumeFraction"))
+    {
+        refuse(group, "placement", valueOf(*group.findEntry("placement")),
+               "a number of bodies or a volumeFraction, one of the two");
+    }
+    const scalar box = cmptProduct(grid.length());
+    label number = 0;
+    if (dict.found("number"))
+    {
+        number = dict.get<label>("number");
+        if (number < 1)
+        {
+            refuse(dict, "number", Foam::name(number), "1 and greater");
+        }
+    }
+    else
+    {
+        const scalar fraction = readPositive(dict, "volumeFraction", dimless);
+        if (fraction >= 1)
+        {
+            refuse(dict, "volumeFraction", Foam::name(fraction), "below 1");
+        }
+        number = label(std::lround(fraction * box / volume));
+        if (number < 1)
+        {
+            refuse(dict, "volumeFraction", Foam::name(fraction),
+                   Foam::name(volume / box) + " and greater: one body");
+        }
+    }
+    const scalar fraction = number * volume / box;
+    if (fraction >= 1)
+    {
+        refuse(dict, "number", Foam::name(number),
+               "fewer than " + Foam::name(box / volume) +
+                   ", which are as large as the box");
+    }
+
+    scalar gap = 0.5 * cmptMin(grid.h());
+    if (dict.found("minimumGap"))
+    {
+        gap = dimensionedScalar("minimumGap", dimLength, dict).value();
+        if (!(gap >= 0))
+        {
+            refuse(dict, "minimumGap", Foam::name(gap), "0 and greater");
+        }
+    }
+    const orientation orient(dict);
+    Random random(dict.getOrDefault<label>("seed", 1));
+    const scalar size = all.fill(
+        number, form, gap, orient.kind == orientation::RANDOM,
+        [&]() { return orient.draw(random); }, random, name);
+    if (size < 1)
+    {
+        const bool byNumber = dict.found("number");
+        refuse(dict, byNumber ? "number" : "volumeFraction",
+               byNumber ? Foam::name(number) : Foam::name(fraction),
+               "as much as there is room for: all bodies were placed at " +
+                   Foam::name(size) + " of their size, a volume fraction of " +
+                   Foam::name(pow3(size) * fraction) + " instead of " +
+                   Foam::name(fraction) + ". A minimumGap below " +
+                   Foam::name(gap) + " helps, and bodies that are aligned");
+    }
+    centres_.setSize(number);
+    directions_.setSize(number);
+    for (label i = 0; i < number; ++i)
+    {
+        const solid& a = all.solids()[all.solids().size() - number + i];
+        centres_[i] = a.centre;
+        directions_[i] = a.direction;
+    }
+    Info << "Placed " << number << " bodies of group " << name
+         << " at random, volume fraction " << fraction << endl;
+}
