@@ -1,7 +1,9 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
+#include "collision.H"
 #include "dictionary.H"
 #include "IStringStream.H"
+#include "mathematicalConstants.H"
 #include "repulsion.H"
 #include "unitTest.H"
 
@@ -106,12 +108,12 @@ TEST(ClosePairs, asByAllPairs)
                       mag(distances / expectedDistances - 1), 1e-12);
 }
 
-TEST(ClosePairs, repulsionIsMutual)
+namespace
+{
+//- Forces of a model among clouds are opposite for the two of each pair
+void isMutual(const interactionModel& model, const scalar radius)
 {
     const scalar h = cmptMin(grid().h());
-    IStringStream none("");
-    const repulsion model(dictionary(none),
-                          interactionScene{grid(), 1, 0, 2, 0});
     closePairs pairs(grid(), model.range());
     const clouds all(25);
     const labelList mine(all.mine());
@@ -119,7 +121,7 @@ TEST(ClosePairs, repulsionIsMutual)
                  labelList(UIndirectList<label>(all.body, mine)));
     const label n = pairs.here().size();
     const interactingPoints points{vectorField(n, Zero), scalarField(n, sqr(h)),
-                                   scalarField(n, Zero)};
+                                   scalarField(n, radius)};
     vectorField there(n, Zero), F(mine.size(), Zero);
     model.add(pairs, points, there);
     pairs.points().addUp(scalarField(UList<scalar>(
@@ -148,6 +150,69 @@ TEST(ClosePairs, repulsionIsMutual)
     test::expectBelow("torque, likewise over the length of the box",
                       mag(torque) / size / mag(grid().length()), 1e-13);
 }
+} // namespace
+
+TEST(ClosePairs, repulsionIsMutual)
+{
+    IStringStream none("");
+    isMutual(repulsion(dictionary(none), interactionScene{grid(), 1, 0, 2, 0}),
+             0);
+}
+
+TEST(ClosePairs, collisionIsMutual)
+{
+    IStringStream none("");
+    const scalar radius = 0.7 * cmptMin(grid().h());
+    isMutual(collision(dictionary(none),
+                       interactionScene{grid(), 1, 0.01, 0, radius}),
+             radius);
+}
+
+// Two long lines that cross exert the force of the law over the sine of their angle
+TEST(ClosePairs, forceOfCrossingLines)
+{
+    if (Pstream::parRun()) return;
+    const vector L(grid().length());
+    const scalar h = cmptMax(grid().h()), radius = 0.1 * h;
+    IStringStream is("range " + Foam::name(0.6 * h) + "; strength 3;");
+    const dictionary dict(is);
+    const collision model(dict, interactionScene{grid(), 1, 0.01, 0, radius});
+    const point middle(grid().origin() + 0.5 * L);
+    for (const scalar angle : {30.0, 60.0, 90.0})
+    {
+        const scalar a = angle / 180 * constant::mathematical::pi;
+        const scalar gap = 0.3 * h, spacing = 0.02 * h;
+        DynamicList<vector> X;
+        DynamicList<label> body;
+        for (label k = -300; k <= 300; ++k)
+        {
+            const scalar s = k * spacing;
+            if (mag(s) > 0.4 * cmptMin(L)) continue;
+            X.append(middle + vector(s, 0, 0));
+            body.append(0);
+            X.append(middle + vector(s * std::cos(a), s * std::sin(a),
+                                     2 * radius + gap));
+            body.append(1);
+        }
+        closePairs pairs(grid(), model.range());
+        pairs.search(X, body);
+        const label n = X.size();
+        const interactingPoints points{vectorField(n, Zero),
+                                       scalarField(n, spacing * h),
+                                       scalarField(n, radius)};
+        vectorField F(n, Zero);
+        model.add(pairs, points, F);
+        vector sum(Zero);
+        forAll(F, k)
+        {
+            if (body[k] == 1) sum += F[k];
+        }
+        test::expectBelow("force at " + std::to_string(angle) + " degrees",
+                          mag(sum.z() * std::sin(a) / 3 - 1), 0.02);
+        EXPECT_EQ(model.ofWall(gap, true), 0);
+        EXPECT_NEAR(model.ofWall(gap, false) * sqr(h), 3, 1e-6);
+    }
+}
 
 // Between two planes the pressure is that of the law
 TEST(ClosePairs, pressureOfPlanes)
@@ -175,12 +240,12 @@ TEST(ClosePairs, pressureOfPlanes)
             }
             test::expectBelow(std::string(law) + " at " +
                                   std::to_string(distance) + " of the range",
-                              mag(force / model.ofWall(distance * R) - 1),
+                              mag(force / model.ofWall(distance * R, true) - 1),
                               0.03);
         }
-        EXPECT_NEAR(model.ofWall(0.5 * R) / 10, law[4] == 'M' ? 1 : 0.777,
+        EXPECT_NEAR(model.ofWall(0.5 * R, true) / 10, law[4] == 'M' ? 1 : 0.777,
                     1e-3);
-        EXPECT_EQ(model.ofWall(R), 0);
+        EXPECT_EQ(model.ofWall(R, true), 0);
         EXPECT_NEAR(R, 1.5 * cmptMax(grid().h()), 1e-12 * h);
     }
 }

@@ -56,7 +56,8 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
       firstBody_(groups.size() + 1, label(0)),
       surfaces_(groups.size(), false)
 {
-    interactionScene about{scene.grid, scene.mu, scene.deltaT, 0, 0};
+    interactionScene about{scene.grid, scene.mu,
+                           scene.deltaT < GREAT ? scene.deltaT : 0, 0, 0};
     forAll(groups_, g)
     {
         firstBody_[g + 1] = firstBody_[g] + groups_[g].nBodies();
@@ -249,6 +250,7 @@ void Foam::bodyInteractions::update()
 
     // Area vector, size and radius of each point; velocity
     which_.clear();
+    onward_.clear();
     X_.clear();
     DynamicList<scalar> facts;
     DynamicList<vector> V;
@@ -261,30 +263,49 @@ void Foam::bodyInteractions::update()
         const bodyPoints points(groups_[p.group].points(p.place));
         const scalar radius =
             std::sqrt(points.crossSection / constant::mathematical::pi);
-        const label n = points.places.size();
-        const scalar enough =
-            points.isSurface() ? 0.6 * sum(mag(points.areas)) / n : 0;
-        vector area(Zero);
-        scalar size = 0;
-        for (label k = 0; k < n; ++k)
+        const vectorField &x = points.places, &v = points.velocities;
+        const auto append = [&](const label k, const scalar onward,
+                                const vector& area, const scalar size)
         {
-            if (points.isSurface())
+            which_.append(k);
+            onward_.append(onward);
+            X_.append(onward > 0 ? (1 - onward) * x[k] + onward * x[k + 1]
+                                 : x[k]);
+            V.append(onward > 0 ? (1 - onward) * v[k] + onward * v[k + 1]
+                                : v[k]);
+            body.append(firstBody_[p.group] + p.number);
+            facts.append({area.x(), area.y(), area.z(), size, radius});
+        };
+        if (points.isSurface())
+        {
+            const label n = x.size();
+            const scalar enough = 0.6 * sum(mag(points.areas)) / n;
+            vector area(Zero);
+            scalar size = 0;
+            for (label k = 0; k < n; ++k)
             {
                 area += points.areas[k];
                 size += mag(points.areas[k]);
                 if (size < enough && k + 1 < n) continue;
+                append(k, 0, area, size);
+                area = Zero;
+                size = 0;
             }
-            else
+        }
+        else
+        {
+            const scalar h = cmptMax(grid_.h());
+            for (label k = 0; k + 1 < x.size(); ++k)
             {
-                size = points.lengths[k] * cmptMax(grid_.h());
+                const scalar length = mag(x[k + 1] - x[k]);
+                // Whatever the rounding of segments as long as a cell
+                const label parts =
+                    label(std::ceil(length / (0.5 * h) * (1 - 1e-6)));
+                for (label j = 0; j < parts; ++j)
+                {
+                    append(k, (j + 0.5) / parts, Zero, length / parts * h);
+                }
             }
-            which_.append(k);
-            X_.append(points.places[k]);
-            V.append(points.velocities[k]);
-            body.append(firstBody_[p.group] + p.number);
-            facts.append({area.x(), area.y(), area.z(), size, radius});
-            area = Zero;
-            size = 0;
         }
         p.size = X_.size() - p.first;
     }
@@ -321,7 +342,8 @@ void Foam::bodyInteractions::update()
         {
             for (const interactionModel& model : models_)
             {
-                F_[k] += model.ofWall(distance - facts[5 * k + 4]) *
+                const scalar radius = facts[5 * k + 4];
+                F_[k] += model.ofWall(distance - radius, radius == 0) *
                          facts[5 * k + 3] * inward;
             }
         }
@@ -341,6 +363,17 @@ void Foam::bodyInteractions::look(const interactingPoints& points)
         nPairs_ += p.bothHeld ? 2 : 1;
         const scalar square = magSqr(p.r);
         closest = min(closest, square);
+        const scalar t = points.radii[p.first] + points.radii[p.second];
+        if (points.radii[p.first] > 0 && points.radii[p.second] > 0)
+        {
+            // Axes within half the sum of the radii
+            const scalar depth = t - std::sqrt(square);
+            if (depth < 0.5 * t || depth <= deepest) continue;
+            deepest = depth;
+            a = p.first;
+            b = p.second;
+            continue;
+        }
         const vector& n = points.areas[p.first];
         const vector& m = points.areas[p.second];
         if ((n & m) >= 0 || (m & p.r) >= 0 || (n & p.r) <= 0) continue;
@@ -394,7 +427,8 @@ void Foam::bodyInteractions::add(const label group, const label body,
     const participant& p = bodies_[find_.at(firstBody_[group] + body)];
     for (label k = p.first; k < p.first + p.size; ++k)
     {
-        F[which_[k]] += F_[k];
+        F[which_[k]] += (1 - onward_[k]) * F_[k];
+        if (onward_[k] > 0) F[which_[k] + 1] += onward_[k] * F_[k];
     }
 }
 

@@ -1,0 +1,72 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "collision.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryChecks.H"
+
+namespace Foam
+{
+defineTypeNameAndDebug(collision, 0);
+addToRunTimeSelectionTable(interactionModel, collision, dictionary);
+} // namespace Foam
+
+namespace
+{
+using namespace Foam;
+
+contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
+{
+    if (scene.thickest == 0)
+    {
+        refuse(dict.parent(), "collision", "{...}",
+               "scenes with filaments that act on the fluid");
+    }
+    const scalar h = cmptMax(scene.grid.h());
+    if (scene.deltaT == 0 && !dict.found("strength"))
+    {
+        refuse(
+            dict.parent(), "collision", "{...}",
+            "collision { strength ...; } [N] where the time step is not known");
+    }
+    return contactLaw(dict, scene.grid, h,
+                      scene.deltaT > 0 ? 0.25 * scene.mu * sqr(h) / scene.deltaT
+                                       : 0,
+                      dimForce, "mu h^2/(4 deltaT)");
+}
+} // namespace
+
+Foam::collision::collision(const dictionary& dict,
+                           const interactionScene& scene)
+    : h_(cmptMax(scene.grid.h())),
+      thickest_(scene.thickest),
+      law_(lawOf(dict, scene)),
+      description_(law_.describe("N", scene.grid))
+{
+}
+
+void Foam::collision::add(const closePairs& pairs,
+                          const interactingPoints& points, vectorField& F) const
+{
+    for (const closePairs::pair& p : pairs.pairs())
+    {
+        const scalar a = points.radii[p.first], b = points.radii[p.second];
+        if (a == 0 || b == 0) continue;
+        const scalar r = mag(p.r), gap = r - a - b;
+        if (gap >= law_.range() || r == 0) continue;
+        const scalar lengths =
+            points.sizes[p.first] * points.sizes[p.second] / sqr(h_);
+
+        // Closer than this only the direction counts
+        const scalar least = 0.5 * (a + b);
+        const scalar f = law_.between(max(r, least), max(gap, least - a - b));
+        const vector force(f * lengths / max(r, SMALL * h_) * p.r);
+        F[p.first] += force;
+        if (p.bothHeld) F[p.second] -= force;
+    }
+}
+
+Foam::scalar Foam::collision::ofWall(const scalar distance,
+                                     const bool surface) const
+{
+    return surface ? 0 : law_.at(distance) / sqr(h_);
+}

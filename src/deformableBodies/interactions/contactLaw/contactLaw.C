@@ -1,0 +1,72 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "contactLaw.H"
+#include "dictionaryChecks.H"
+#include "mathematicalConstants.H"
+
+Foam::contactLaw::contactLaw(const dictionary& dict, const uniformGrid& grid,
+                             const scalar range, const scalar strength,
+                             const dimensionSet& dimensions,
+                             const string& reason)
+    : law_(readEnum(
+          Enum<lawType>({{MORSE, "Morse"}, {EXPONENTIAL, "exponential"}}), dict,
+          "law", MORSE)),
+      range_(dict.found("range") ? readPositive(dict, "range", dimLength)
+                                 : range),
+      strength_(dict.found("strength")
+                    ? readPositive(dict, "strength", dimensions)
+                    : strength),
+      reason_(dict.found("strength") ? string("given") : reason)
+{
+    checkEntries(dict, {"law", "range", "strength"});
+    const scalar h = cmptMax(grid.h()), most = 0.5 * cmptMin(grid.length());
+    if (range_ < 0.5 * h || range_ > most)
+    {
+        refuse(dict, "range", Foam::name(range_),
+               Foam::name(0.5 * h) + " (half a cell) to " + Foam::name(most) +
+                   " (half the box)");
+    }
+}
+
+void Foam::contactLaw::at(const scalar d, scalar& P, scalar& slope) const
+{
+    const scalar b = 3 / range_;
+    if (law_ == MORSE)
+    {
+        const scalar e = std::exp(b * (range_ - d));
+        const scalar factor = strength_ / (std::exp(3.0) - std::exp(1.5));
+        P = factor * e * (e - 1);
+        slope = factor * b * e * (2 * e - 1);
+    }
+    else
+    {
+        const scalar e = strength_ * std::exp(b * (0.5 * range_ - d));
+        P = e - strength_ * std::exp(-1.5);
+        slope = b * e;
+    }
+}
+
+Foam::scalar Foam::contactLaw::at(const scalar d) const
+{
+    if (d >= range_) return 0;
+    scalar P, slope;
+    at(max(d, scalar(0)), P, slope);
+    return P;
+}
+
+Foam::scalar Foam::contactLaw::between(const scalar r, const scalar d) const
+{
+    if (d >= range_) return 0;
+    scalar P, slope;
+    at(d, P, slope);
+    return (P / sqr(r) + slope / r) / (2 * constant::mathematical::pi);
+}
+
+Foam::string Foam::contactLaw::describe(const word& unit,
+                                        const uniformGrid& grid) const
+{
+    return string(law_ == MORSE ? "Morse" : "exponential") + ", range " +
+           Foam::name(range_) + " = " + Foam::name(range_ / cmptMax(grid.h())) +
+           " h, strength " + Foam::name(strength_) + " " + unit + " (" +
+           reason_ + ")";
+}
