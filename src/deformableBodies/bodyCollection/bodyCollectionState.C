@@ -280,7 +280,8 @@ void Foam::bodyCollection::compareEntries(const dictionary& saved,
             const bool atStart =
                 !all && (change.name == "positions" ||
                          change.name == "directions" || change.name == "bow" ||
-                         change.name.compare(0, 6, "shape.") == 0);
+                         change.name.compare(0, 6, "shape.") == 0 ||
+                         change.name.compare(0, 9, "placement") == 0);
             string& list = atStart ? unused : taken;
             list += (list.empty() ? "" : "; ") + change.text();
         }
@@ -373,6 +374,14 @@ void Foam::bodyCollection::readState(const IOdictionary& dict)
     forAll(groups_, g)
     {
         const bool continues = found && !initial[g];
+        if (found && !continues && groups_[g].placedAtRandom() &&
+            initial.found(false))
+        {
+            refuse(dict.subDict("bodies").subDict(names[g]), "placement",
+                   "{...} in a group that starts while others go on",
+                   "positions: random places know only where the others "
+                   "started; or restart initial; for all");
+        }
         ownership_->distribute(
             groups_[g],
             continues ? statesOf(groups_[g], saved) : List<scalarList>(),

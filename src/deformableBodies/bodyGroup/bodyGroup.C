@@ -172,7 +172,8 @@ Foam::List<Foam::scalarList> Foam::bodyGroup::states() const
 }
 
 void Foam::bodyGroup::readPlaces(const dictionary& dict, const solidForm& form,
-                                 const scalar volume, const scalar fromCentre)
+                                 const scalar volume, const scalar fromCentre,
+                                 const vector& otherwise)
 {
     const vector lo(scene_.grid.origin()), L(scene_.grid.length());
     if (dict.found("placement"))
@@ -232,7 +233,7 @@ void Foam::bodyGroup::readPlaces(const dictionary& dict, const solidForm& form,
     }
     for (label i = 0; twoWay() && i < nBodies_; ++i)
     {
-        const vector t(directions_.empty() ? vector(0, 0, 1) : directions_[i]);
+        const vector t(directions_.empty() ? otherwise : directions_[i]);
         scene_.placed.add({form, positions_[i] - fromCentre * t, t});
     }
 }

@@ -206,7 +206,7 @@ void Foam::capsuleGroup::readStart(const dictionary& dict)
     {
         semiAxes = cmptMax(semiAxes) * vector::one;
     }
-    readPlaces(dict, {semiAxes, 0}, referenceVolume_, 0);
+    readPlaces(dict, {semiAxes, 0}, referenceVolume_, 0, axis_);
 }
 
 Foam::tensor Foam::capsuleGroup::turnOf(const label body) const

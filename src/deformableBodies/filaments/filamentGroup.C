@@ -137,7 +137,7 @@ void Foam::filamentGroup::readStart(const dictionary& dict)
     const scalar L0 = properties_.length;
     readPlaces(dict, {(0.5 * thickness_ + mag(bow_)) * vector::one, 0.5 * L0},
                L0 * 0.25 * constant::mathematical::pi * sqr(thickness_),
-               -0.5 * L0);
+               -0.5 * L0, vector(1, 0, 0));
     const vector L(scene_.grid.length());
     for (direction d = 0; d < 3; ++d)
     {

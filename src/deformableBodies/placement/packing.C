@@ -78,7 +78,7 @@ bool Foam::areApart(const solidForm& a, const vector& directionA,
     if (b.isRod()) return areApart(b, directionB, a, directionA, -r);
     if (a.isRod())
     {
-        // Where the ellipsoid, grown by the rod's radius, is a sphere of radius 1
+        // Where the ellipsoid of semi-axes longer by the rod's radius is a sphere
         const tensor toAxes(turnTo(directionB).T());
         const auto there = [&](const vector& x) {
             return cmptDivide(toAxes & x,
@@ -302,7 +302,7 @@ Foam::scalar Foam::packing::fill(const label n, const solidForm& form,
         solids_.resize(first_);
         sort(first_ + n, form.circumradius(), gap);
         size_ *= 0.9;
-        if (size_ < 0.2) return size_;
+        if (size_ < 0.2) return 0;
     }
 
     scalar distance = 0.3 * cmptMin(form.semiAxes), growth = 0.02;

@@ -29,7 +29,7 @@ struct orientation
             refuse(
                 dict, "orientation", valueOf(*dict.findEntry("orientation")),
                 "random, aligned (1 0 0), normal (1 0 0) 10: a direction and "
-                "a standard deviation in degrees");
+                "a standard deviation up to 45 degrees");
         };
         const tokenList& given = dict.lookup("orientation");
         const Enum<kindType> kinds(
@@ -51,19 +51,26 @@ struct orientation
         if (!(mag(mean) > 0)) refuseIt();
         mean /= mag(mean);
         if (kind == ALIGNED) return;
-        if (!given[6].isNumber() || !(given[6].number() > 0)) refuseIt();
+        if (!given[6].isNumber() || !(given[6].number() > 0) ||
+            given[6].number() > 45)
+        {
+            refuseIt();
+        }
         deviation = degToRad(given[6].number());
     }
 
     vector draw(Random& random) const
     {
         if (kind == ALIGNED) return mean;
-        const vector away(random.GaussNormal<scalar>(),
-                          random.GaussNormal<scalar>(),
-                          random.GaussNormal<scalar>());
+        vector away;
+        for (direction d = 0; d < 3; ++d)
+        {
+            away[d] = random.GaussNormal<scalar>();
+        }
         if (kind == RANDOM) return away / mag(away);
-        const vector t(mean + deviation * (away - (away & mean) * mean));
-        return t / mag(t);
+        away -= (away & mean) * mean;
+        const scalar angle = deviation * mag(away);
+        return std::cos(angle) * mean + std::sin(angle) * away / mag(away);
     }
 };
 } // namespace
@@ -95,13 +102,24 @@ Foam::placement::placement(const dictionary& group, const word& name,
                "a number of bodies or a volumeFraction, one of the two");
     }
     const scalar box = cmptProduct(grid.length());
+    if (2 * form.circumradius() > cmptMax(grid.length()))
+    {
+        refuse(group, "placement", valueOf(*group.findEntry("placement")),
+               "bodies shorter than the box: these are " +
+                   Foam::name(2 * form.circumradius()) + " long");
+    }
+
+    // A cell for each at least, whatever the units are
+    const scalar most = min(box / volume, box / grid.cellVolume());
     label number = 0;
     if (dict.found("number"))
     {
         number = dict.get<label>("number");
-        if (number < 1)
+        if (number < 1 || number > most)
         {
-            refuse(dict, "number", Foam::name(number), "1 and greater");
+            refuse(dict, "number", Foam::name(number),
+                   "1 to " + Foam::name(most) +
+                       ", which are as large as the box, or one to each cell");
         }
     }
     else
@@ -111,20 +129,17 @@ Foam::placement::placement(const dictionary& group, const word& name,
         {
             refuse(dict, "volumeFraction", Foam::name(fraction), "below 1");
         }
-        number = label(std::lround(fraction * box / volume));
-        if (number < 1)
+        const scalar n = fraction * box / volume;
+        if (n < 0.5 || n > most)
         {
-            refuse(dict, "volumeFraction", Foam::name(fraction),
-                   Foam::name(volume / box) + " and greater: one body");
+            refuse(dict, "volumeFraction",
+                   Foam::name(fraction) + ", which are " + Foam::name(n) +
+                       " bodies",
+                   "one body to " + Foam::name(most) + ", one to each cell");
         }
+        number = label(n + 0.5);
     }
     const scalar fraction = number * volume / box;
-    if (fraction >= 1)
-    {
-        refuse(dict, "number", Foam::name(number),
-               "fewer than " + Foam::name(box / volume) +
-                   ", which are as large as the box");
-    }
 
     scalar gap = 0.5 * cmptMin(grid.h());
     if (dict.found("minimumGap"))
@@ -143,13 +158,18 @@ Foam::placement::placement(const dictionary& group, const word& name,
     if (size < 1)
     {
         const bool byNumber = dict.found("number");
-        refuse(dict, byNumber ? "number" : "volumeFraction",
-               byNumber ? Foam::name(number) : Foam::name(fraction),
-               "as much as there is room for: all bodies were placed at " +
-                   Foam::name(size) + " of their size, a volume fraction of " +
-                   Foam::name(pow3(size) * fraction) + " instead of " +
-                   Foam::name(fraction) + ". A minimumGap below " +
-                   Foam::name(gap) + " helps, and bodies that are aligned");
+        refuse(
+            dict, byNumber ? "number" : "volumeFraction",
+            byNumber ? Foam::name(number) : Foam::name(fraction),
+            size == 0
+                ? string("as much as there is room for: not even bodies of a "
+                         "fifth of the size were placed")
+                : "as much as there is room for: all bodies were placed at " +
+                      Foam::name(size) +
+                      " of their size, a volume fraction of " +
+                      Foam::name(pow3(size) * fraction) + " instead of " +
+                      Foam::name(fraction) + ". A minimumGap below " +
+                      Foam::name(gap) + " leaves more");
     }
     centres_.setSize(number);
     directions_.setSize(number);
@@ -159,6 +179,9 @@ Foam::placement::placement(const dictionary& group, const word& name,
         centres_[i] = a.centre;
         directions_[i] = a.direction;
     }
+    // Another processor may round otherwise
+    Pstream::scatter(centres_);
+    Pstream::scatter(directions_);
     Info << "Placed " << number << " bodies of group " << name
          << " at random, volume fraction " << fraction << endl;
 }

@@ -155,8 +155,9 @@ void isMutual(const interactionModel& model, const scalar radius)
 TEST(ClosePairs, repulsionIsMutual)
 {
     IStringStream none("");
-    isMutual(repulsion(dictionary(none), interactionScene{grid(), 1, 0, 2, 0}),
-             0);
+    isMutual(
+        repulsion(dictionary(none), interactionScene{grid(), 1, 1e-9, 2, 0, 0}),
+        0);
 }
 
 TEST(ClosePairs, collisionIsMutual)
@@ -164,7 +165,7 @@ TEST(ClosePairs, collisionIsMutual)
     IStringStream none("");
     const scalar radius = 0.7 * cmptMin(grid().h());
     isMutual(collision(dictionary(none),
-                       interactionScene{grid(), 1, 0.01, 0, radius}),
+                       interactionScene{grid(), 1, 0.01, 0, radius, radius}),
              radius);
 }
 
@@ -176,7 +177,8 @@ TEST(ClosePairs, forceOfCrossingLines)
     const scalar h = cmptMax(grid().h()), radius = 0.1 * h;
     IStringStream is("range " + Foam::name(0.6 * h) + "; strength 3;");
     const dictionary dict(is);
-    const collision model(dict, interactionScene{grid(), 1, 0.01, 0, radius});
+    const collision model(dict,
+                          interactionScene{grid(), 1, 0.01, 0, radius, radius});
     const point middle(grid().origin() + 0.5 * L);
     for (const scalar angle : {30.0, 60.0, 90.0})
     {
@@ -222,7 +224,7 @@ TEST(ClosePairs, pressureOfPlanes)
     {
         IStringStream is(law);
         const repulsion model(dictionary(is),
-                              interactionScene{grid(), 1, 0, 2, 0});
+                              interactionScene{grid(), 1, 1e-9, 2, 0, 0});
         const scalar R = model.range();
         for (const scalar distance : {0.3, 0.5, 0.8})
         {

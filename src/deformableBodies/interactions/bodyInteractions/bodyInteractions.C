@@ -56,8 +56,13 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
       firstBody_(groups.size() + 1, label(0)),
       surfaces_(groups.size(), false)
 {
-    interactionScene about{scene.grid, scene.mu,
-                           scene.deltaT < GREAT ? scene.deltaT : 0, 0, 0};
+    interactionScene about{scene.grid,
+                           scene.mu,
+                           mesh.time().controlDict().getOrDefault<scalar>(
+                               "deltaT", mesh.time().deltaTValue()),
+                           0,
+                           0,
+                           GREAT};
     forAll(groups_, g)
     {
         firstBody_[g + 1] = firstBody_[g] + groups_[g].nBodies();
@@ -77,9 +82,10 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
         }
         else
         {
-            about.thickest =
-                max(about.thickest,
-                    std::sqrt(p.crossSection / constant::mathematical::pi));
+            const scalar radius =
+                std::sqrt(p.crossSection / constant::mathematical::pi);
+            about.thickest = max(about.thickest, radius);
+            about.thinnest = min(about.thinnest, radius);
         }
     }
 
@@ -295,12 +301,13 @@ void Foam::bodyInteractions::update()
         else
         {
             const scalar h = cmptMax(grid_.h());
+            const scalar apart = max(min(0.5 * h, 2 * radius), 0.1 * h);
             for (label k = 0; k + 1 < x.size(); ++k)
             {
                 const scalar length = mag(x[k + 1] - x[k]);
                 // Whatever the rounding of segments as long as a cell
                 const label parts =
-                    label(std::ceil(length / (0.5 * h) * (1 - 1e-6)));
+                    label(std::ceil(length / apart * (1 - 1e-6)));
                 for (label j = 0; j < parts; ++j)
                 {
                     append(k, (j + 0.5) / parts, Zero, length / parts * h);
@@ -355,6 +362,11 @@ void Foam::bodyInteractions::update()
 void Foam::bodyInteractions::look(const interactingPoints& points)
 {
     // Deepest of those points that lie behind the other's surface, both seen
+    bool linesActOn = false;
+    for (const interactionModel& model : models_)
+    {
+        linesActOn = linesActOn || model.actsOn(false, false);
+    }
     scalar deepest = 0;
     label a = -1, b = -1;
     scalar closest = GREAT;
@@ -366,9 +378,9 @@ void Foam::bodyInteractions::look(const interactingPoints& points)
         const scalar t = points.radii[p.first] + points.radii[p.second];
         if (points.radii[p.first] > 0 && points.radii[p.second] > 0)
         {
-            // Axes within half the sum of the radii
+            // Axes within half the sum of the radii, where that is kept from
             const scalar depth = t - std::sqrt(square);
-            if (depth < 0.5 * t || depth <= deepest) continue;
+            if (!linesActOn || depth < 0.5 * t || depth <= deepest) continue;
             deepest = depth;
             a = p.first;
             b = p.second;

@@ -16,22 +16,23 @@ using namespace Foam;
 
 contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
 {
+    const scalar h = cmptMax(scene.grid.h());
     if (scene.thickest == 0)
     {
         refuse(dict.parent(), "collision", "{...}",
-               "scenes with filaments that act on the fluid");
+               "scenes with filaments in a fluid");
     }
-    const scalar h = cmptMax(scene.grid.h());
-    if (scene.deltaT == 0 && !dict.found("strength"))
+    if (scene.thinnest < 0.125 * h)
     {
-        refuse(
-            dict.parent(), "collision", "{...}",
-            "collision { strength ...; } [N] where the time step is not known");
+        refuse(dict.parent(), "collision",
+               "{...} with filaments of diameter " +
+                   Foam::name(2 * scene.thinnest),
+               "diameters of " + Foam::name(0.25 * h) +
+                   " (a quarter of a cell) and more");
     }
     return contactLaw(dict, scene.grid, h,
-                      scene.deltaT > 0 ? 0.25 * scene.mu * sqr(h) / scene.deltaT
-                                       : 0,
-                      dimForce, "mu h^2/(4 deltaT)");
+                      0.25 * scene.mu * sqr(h) / scene.deltaT, dimForce,
+                      "mu h^2/(4 deltaT)");
 }
 } // namespace
 

@@ -23,7 +23,7 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
     }
     scalar strength = 5 * scene.softest;
     string reason("5 Gs/a");
-    if (scene.deltaT > 0 && 0.25 * scene.mu / scene.deltaT < strength)
+    if (0.25 * scene.mu / scene.deltaT < strength)
     {
         strength = 0.25 * scene.mu / scene.deltaT;
         reason = "mu/(4 deltaT)";
