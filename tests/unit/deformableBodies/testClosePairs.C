@@ -114,7 +114,7 @@ namespace
 void isMutual(const interactionModel& model, const scalar radius)
 {
     const scalar h = cmptMin(grid().h());
-    closePairs pairs(grid(), model.range());
+    closePairs pairs(grid(), model.range(radius == 0, radius == 0));
     const clouds all(25);
     const labelList mine(all.mine());
     pairs.search(vectorField(UIndirectList<vector>(all.X, mine)),
@@ -174,7 +174,7 @@ TEST(ClosePairs, forceOfCrossingLines)
 {
     if (Pstream::parRun()) return;
     const vector L(grid().length());
-    const scalar h = cmptMax(grid().h()), radius = 0.1 * h;
+    const scalar h = cmptMax(grid().h()), radius = 0.15 * h;
     IStringStream is("range " + Foam::name(0.6 * h) + "; strength 3;");
     const dictionary dict(is);
     const collision model(dict,
@@ -196,7 +196,7 @@ TEST(ClosePairs, forceOfCrossingLines)
                                      2 * radius + gap));
             body.append(1);
         }
-        closePairs pairs(grid(), model.range());
+        closePairs pairs(grid(), model.range(false, false));
         pairs.search(X, body);
         const label n = X.size();
         const interactingPoints points{vectorField(n, Zero),
@@ -225,7 +225,7 @@ TEST(ClosePairs, pressureOfPlanes)
         IStringStream is(law);
         const repulsion model(dictionary(is),
                               interactionScene{grid(), 1, 1e-9, 2, 0, 0});
-        const scalar R = model.range();
+        const scalar R = model.range(true, true);
         for (const scalar distance : {0.3, 0.5, 0.8})
         {
             // A point above a fine plane of points

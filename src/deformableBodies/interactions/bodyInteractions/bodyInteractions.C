@@ -89,14 +89,25 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
         }
     }
 
-    scalar range = 0;
+    scalar ofSurfaces = 0, ofLines = 0;
     for (const word& name : dict.toc())
     {
         models_.append(interactionModel::New(name, dict, about).ptr());
-        range = max(range, models_.last().range());
-        effects_.declare(name, true, models_.last().describe());
+        const interactionModel& model = models_.last();
+        effects_.declare(name, true, model.describe());
+        if (about.softest > 0)
+        {
+            ofSurfaces = max(ofSurfaces, model.range(true, true));
+        }
+        if (about.thickest > 0)
+        {
+            ofLines = max(ofLines, max(model.range(true, false),
+                                       model.range(false, false)));
+        }
     }
-    pairs_.reset(new closePairs(grid_, range));
+    if (ofSurfaces > 0) surfacePairs_.reset(new closePairs(grid_, ofSurfaces));
+    if (ofLines > 0) linePairs_.reset(new closePairs(grid_, ofLines));
+    range_ = max(ofSurfaces, ofLines);
 
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
@@ -155,7 +166,7 @@ bool Foam::bodyInteractions::actBetween(const label group,
     if (!takesPart(groups_[group]) || !takesPart(groups_[other])) return false;
     for (const interactionModel& model : models_)
     {
-        if (model.actsOn(surfaces_[group], surfaces_[other])) return true;
+        if (model.range(surfaces_[group], surfaces_[other]) > 0) return true;
     }
     return false;
 }
@@ -205,7 +216,7 @@ void Foam::bodyInteractions::compareBoxes()
         }
     }
     reduce(largest, maxOp<scalar>());
-    const scalar reach = pairs_->range() + skin();
+    const scalar reach = range_ + skin();
 
     // Centres of boxes that may be near each other know each other
     closePairs near(grid_, 2 * std::sqrt(3.0) * largest + reach);
@@ -254,18 +265,18 @@ void Foam::bodyInteractions::update()
     power_ = 0;
     if (!anyNear_) return;
 
-    // Area vector, size and radius of each point; velocity
+    // Of each point area vector, size, radius and body; velocity. Surfaces first
     which_.clear();
     onward_.clear();
     X_.clear();
     DynamicList<scalar> facts;
     DynamicList<vector> V;
-    DynamicList<label> body;
-    for (participant& p : bodies_)
+    label nOfSurfaces = 0;
+    const auto collect = [&](participant& p)
     {
         p.first = X_.size();
         p.size = 0;
-        if (!p.near) continue;
+        if (!p.near) return;
         const bodyPoints points(groups_[p.group].points(p.place));
         const scalar radius =
             std::sqrt(points.crossSection / constant::mathematical::pi);
@@ -279,8 +290,8 @@ void Foam::bodyInteractions::update()
                                  : x[k]);
             V.append(onward > 0 ? (1 - onward) * v[k] + onward * v[k + 1]
                                 : v[k]);
-            body.append(firstBody_[p.group] + p.number);
-            facts.append({area.x(), area.y(), area.z(), size, radius});
+            facts.append({area.x(), area.y(), area.z(), size, radius,
+                          scalar(firstBody_[p.group] + p.number)});
         };
         if (points.isSurface())
         {
@@ -315,43 +326,40 @@ void Foam::bodyInteractions::update()
             }
         }
         p.size = X_.size() - p.first;
-    }
-    pairs_->search(X_, body);
-    const scalarField there(pairs_->points().handOut(facts.cdata(), 5));
-    const label n = pairs_->here().size();
-    interactingPoints points{vectorField(n), scalarField(n), scalarField(n)};
-    for (label k = 0; k < n; ++k)
+    };
+    for (const bool surfaces : {true, false})
     {
-        const scalar* fact = &there[5 * k];
-        points.areas[k] = vector(fact[0], fact[1], fact[2]);
-        points.sizes[k] = fact[3];
-        points.radii[k] = fact[4];
+        for (participant& p : bodies_)
+        {
+            if (surfaces_[p.group] == surfaces) collect(p);
+        }
+        if (surfaces) nOfSurfaces = X_.size();
     }
-    look(points);
 
-    vectorField F(n, Zero);
-    for (const interactionModel& model : models_)
-    {
-        const auto timing(effects_.time(model.type()));
-        model.add(*pairs_, points, F);
-    }
     F_.setSize(X_.size());
     F_ = Zero;
-    pairs_->points().addUp(
-        scalarField(UList<scalar>(reinterpret_cast<scalar*>(F.data()), 3 * n)),
-        3, reinterpret_cast<scalar*>(F_.data()));
+    overlap deepest;
+    if (surfacePairs_)
+    {
+        act(*surfacePairs_, false, nOfSurfaces, facts.cdata(), deepest);
+    }
+    if (linePairs_)
+    {
+        act(*linePairs_, true, X_.size(), facts.cdata(), deepest);
+    }
+    warnOf(deepest);
 
     forAll(X_, k)
     {
         vector inward;
         const scalar distance = toWall(X_[k], inward);
-        if (distance < pairs_->range())
+        if (distance < range_)
         {
             for (const interactionModel& model : models_)
             {
-                const scalar radius = facts[5 * k + 4];
+                const scalar radius = facts[nFacts_ * k + 4];
                 F_[k] += model.ofWall(distance - radius, radius == 0) *
-                         facts[5 * k + 3] * inward;
+                         facts[nFacts_ * k + 3] * inward;
             }
         }
         power_ += F_[k] & V[k];
@@ -359,47 +367,85 @@ void Foam::bodyInteractions::update()
     work_ += time_.deltaTValue() * power_;
 }
 
-void Foam::bodyInteractions::look(const interactingPoints& points)
+void Foam::bodyInteractions::act(closePairs& pairs, const bool lines,
+                                 const label n, const scalar* facts,
+                                 overlap& deepest)
 {
-    // Deepest of those points that lie behind the other's surface, both seen
+    // Pairs of surfaces have a list of their own: here all are as one body
+    labelList body(n);
+    forAll(body, k)
+    {
+        const bool isLine = facts[nFacts_ * k + 4] > 0;
+        body[k] = !lines || isLine ? label(facts[nFacts_ * k + 5])
+                                   : firstBody_.last();
+    }
+    pairs.search(SubList<vector>(X_, n), body);
+    const scalarField there(pairs.points().handOut(facts, nFacts_));
+    const label nHere = pairs.here().size();
+    interactingPoints points{vectorField(nHere), scalarField(nHere),
+                             scalarField(nHere)};
+    labelList bodies(nHere);
+    for (label k = 0; k < nHere; ++k)
+    {
+        const scalar* fact = &there[nFacts_ * k];
+        points.areas[k] = vector(fact[0], fact[1], fact[2]);
+        points.sizes[k] = fact[3];
+        points.radii[k] = fact[4];
+        bodies[k] = label(fact[5]);
+    }
+    look(pairs, points, bodies, deepest);
+
+    vectorField F(nHere, Zero);
+    for (const interactionModel& model : models_)
+    {
+        const auto timing(effects_.time(model.type()));
+        model.add(pairs, points, F);
+    }
+    pairs.points().addUp(scalarField(UList<scalar>(
+                             reinterpret_cast<scalar*>(F.data()), 3 * nHere)),
+                         3, reinterpret_cast<scalar*>(F_.data()));
+}
+
+void Foam::bodyInteractions::look(const closePairs& pairs,
+                                  const interactingPoints& points,
+                                  const labelUList& body, overlap& deepest)
+{
     bool linesActOn = false;
     for (const interactionModel& model : models_)
     {
-        linesActOn = linesActOn || model.actsOn(false, false);
+        linesActOn = linesActOn || model.range(false, false) > 0;
     }
-    scalar deepest = 0;
-    label a = -1, b = -1;
-    scalar closest = GREAT;
-    for (const closePairs::pair& p : pairs_->pairs())
+    for (const closePairs::pair& p : pairs.pairs())
     {
         nPairs_ += p.bothHeld ? 2 : 1;
-        const scalar square = magSqr(p.r);
-        closest = min(closest, square);
-        const scalar t = points.radii[p.first] + points.radii[p.second];
-        if (points.radii[p.first] > 0 && points.radii[p.second] > 0)
+        const scalar apart = mag(p.r);
+        closest_ = min(closest_, apart);
+        scalar depth = 0;
+        const scalar a = points.radii[p.first], b = points.radii[p.second];
+        if (a > 0 && b > 0)
         {
             // Axes within half the sum of the radii, where that is kept from
-            const scalar depth = t - std::sqrt(square);
-            if (!linesActOn || depth < 0.5 * t || depth <= deepest) continue;
-            deepest = depth;
-            a = p.first;
-            b = p.second;
-            continue;
+            if (linesActOn && apart < 0.5 * (a + b)) depth = a + b - apart;
         }
-        const vector& n = points.areas[p.first];
-        const vector& m = points.areas[p.second];
-        if ((n & m) >= 0 || (m & p.r) >= 0 || (n & p.r) <= 0) continue;
-        const scalar apart = std::sqrt(square);
-        if (apart > deepest && (m & p.r) < -0.5 * mag(m) * apart &&
-            (n & p.r) > 0.5 * mag(n) * apart)
+        else
         {
-            deepest = apart;
-            a = p.first;
-            b = p.second;
+            // Either lies behind the other's surface, both seen
+            const vector& n = points.areas[p.first];
+            const vector& m = points.areas[p.second];
+            if ((n & m) < 0 && (m & p.r) < -0.5 * mag(m) * apart &&
+                (n & p.r) > 0.5 * mag(n) * apart)
+            {
+                depth = apart;
+            }
         }
+        if (depth <= deepest.depth) continue;
+        deepest = {depth, body[p.first], body[p.second], pairs.here()[p.first]};
     }
-    if (closest < GREAT) closest_ = std::sqrt(closest);
-    const scalar all = returnReduce(deepest, maxOp<scalar>());
+}
+
+void Foam::bodyInteractions::warnOf(const overlap& deepest)
+{
+    const scalar all = returnReduce(deepest.depth, maxOp<scalar>());
     if (all == 0 ||
         (warned_ >= 0 && time_.timeIndex() < warned_ + stepGuard::pause))
     {
@@ -407,13 +453,13 @@ void Foam::bodyInteractions::look(const interactingPoints& points)
     }
     warned_ = time_.timeIndex();
     string where;
-    if (deepest == all)
+    if (deepest.depth == all)
     {
         OStringStream os;
         os.precision(6);
-        os << nameOf(pairs_->body()[a]).c_str() << " and "
-           << nameOf(pairs_->body()[b]).c_str() << " overlap by " << deepest
-           << " at " << pairs_->here()[a];
+        os << nameOf(deepest.body).c_str() << " and "
+           << nameOf(deepest.other).c_str() << " overlap by " << all << " at "
+           << deepest.at;
         where = os.str();
     }
     where = firstOf(where);
