@@ -184,11 +184,7 @@ void Foam::bodyGroup::readPlaces(const dictionary& dict, const solidForm& form,
         directions_ = places.directions();
         for (point& x : positions_)
         {
-            for (direction d = 0; d < 3; ++d)
-            {
-                if (!scene_.grid.periodic(d)) continue;
-                x[d] -= L[d] * std::floor((x[d] - lo[d]) / L[d]);
-            }
+            x = intoBox(scene_.grid, x);
         }
         nBodies_ = positions_.size();
         placedAtRandom_ = true;

@@ -80,9 +80,8 @@ meeting meetingOf(const bodyPoints& a, const bodyPoints& b, const scalar h)
         {
             for (label j = 1; j < b.places.size(); ++j)
             {
-                if (mag(connect(a.places[i - 1], a.places[i], b.places[j - 1],
-                                b.places[j])
-                            .r) < thickness)
+                if (mag(connection(a.places[i - 1], a.places[i],
+                                   b.places[j - 1], b.places[j])) < thickness)
                 {
                     return meeting::overlap;
                 }

@@ -6,6 +6,23 @@
 #include "segmentDistance.H"
 #include "transform.H"
 
+// (between opposite vectors rotationTensor returns a mirror)
+Foam::tensor Foam::turnTo(const vector& direction)
+{
+    if (direction.z() < -1 + 1e-12) return tensor(1, 0, 0, 0, -1, 0, 0, 0, -1);
+    return rotationTensor(vector(0, 0, 1), direction);
+}
+
+Foam::point Foam::intoBox(const uniformGrid& grid, point x)
+{
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar L = grid.length()[d], above = x[d] - grid.origin()[d];
+        if (grid.periodic(d)) x[d] -= L * std::floor(above / L);
+    }
+    return x;
+}
+
 namespace
 {
 using namespace Foam;
@@ -54,25 +71,17 @@ bool ellipsoidsApart(const symmTensor& A, const symmTensor& B, const vector& r)
     }
     return false;
 }
-} // namespace
 
-// (between opposite vectors rotationTensor returns a mirror)
-Foam::tensor Foam::turnTo(const vector& direction)
-{
-    if (direction.z() < -1 + 1e-12) return tensor(1, 0, 0, 0, -1, 0, 0, 0, -1);
-    return rotationTensor(vector(0, 0, 1), direction);
-}
-
-bool Foam::areApart(const solidForm& a, const vector& directionA,
-                    const solidForm& b, const vector& directionB,
-                    const vector& r)
+//- Are two solids apart, the first moved by r from the second's place?
+bool areApart(const solidForm& a, const vector& directionA, const solidForm& b,
+              const vector& directionB, const vector& r)
 {
     if (magSqr(r) >= sqr(a.circumradius() + b.circumradius())) return true;
     if (isSphere(a) && isSphere(b)) return false;
     if (a.isRod() && b.isRod())
     {
         const vector u(a.halfLength * directionA), v(b.halfLength * directionB);
-        return magSqr(connect(r - u, r + u, -v, v).r) >=
+        return magSqr(connection(r - u, r + u, -v, v)) >=
                sqr(a.semiAxes.x() + b.semiAxes.x());
     }
     if (b.isRod()) return areApart(b, directionB, a, directionA, -r);
@@ -85,12 +94,12 @@ bool Foam::areApart(const solidForm& a, const vector& directionA,
                               b.semiAxes + a.semiAxes.x() * vector::one);
         };
         const vector u(a.halfLength * directionA);
-        return magSqr(connect(there(r - u), there(r + u), vector::zero,
-                              vector::zero)
-                          .r) >= 1;
+        return magSqr(connection(there(r - u), there(r + u), vector::zero,
+                                 vector::zero)) >= 1;
     }
     return ellipsoidsApart(matrixOf(a, directionA), matrixOf(b, directionB), r);
 }
+} // namespace
 
 Foam::solidForm Foam::packing::formOf(const solid& a, const label i) const
 {
@@ -220,12 +229,7 @@ Foam::solid Foam::packing::nudged(const solid& a, const scalar distance,
     const auto about = [&]
     { return vector(2 * random.sample01<vector>() - vector::one); };
     solid b(a);
-    b.centre += distance * about();
-    for (direction d = 0; d < 3; ++d)
-    {
-        const scalar L = grid_.length()[d], x = b.centre[d] - grid_.origin()[d];
-        if (grid_.periodic(d)) b.centre[d] -= L * std::floor(x / L);
-    }
+    b.centre = intoBox(grid_, a.centre + distance * about());
     b.direction += angle * about();
     b.direction /= mag(b.direction);
     return b;
