@@ -31,6 +31,9 @@ do
     shift 2
 done
 
+# Values stay in constant/scene for later runs
+echo "Scene: $(sed -n 's/^\([A-Za-z0-9]*\) *\([^;]*\);.*/\1 \2/p' constant/scene | paste -sd, | sed 's/,/, /g')"
+
 # The plots of filaments share what they read, also where a scene was copied
 export PYTHONPATH="$tutorials/filament${PYTHONPATH:+:$PYTHONPATH}"
 
@@ -38,7 +41,25 @@ export PYTHONPATH="$tutorials/filament${PYTHONPATH:+:$PYTHONPATH}"
 run()
 {
     echo "Running $* (log.$1)"
-    "$@" > "log.$1" 2>&1 || { tail "log.$1"; stop "$1 failed (log.$1)"; }
+    "$@" > "log.$1" 2>&1 || failed "$1"
+    warned "$1"
+}
+
+# What a log says of its error: OpenFOAM's sentence, or its end
+failed()
+{
+    grep -q "FOAM FATAL" "log.$1" &&
+        sed -n '/FOAM FATAL/,/^\(\[0\] *\)\?$/p' "log.$1" | head -n 20 || tail "log.$1"
+    stop "$1 failed (log.$1)"
+}
+
+# How many warnings a log has, and the first
+warned()
+{
+    local n
+    n=$(grep -c "FOAM Warning" "log.$1") || return 0
+    echo "    $n warnings (log.$1):" "$(awk '/FOAM Warning/ { found = 1; next }
+        found && !/From |in file |Reading "|^ *$/ { print; exit }' "log.$1")"
 }
 
 # The solver on NP ranks
@@ -54,7 +75,8 @@ solve()
     run decomposePar
     echo "Running $1 on $NP ranks (log.$1)"
     mpirun --bind-to none --oversubscribe -np "$NP" "$1" -parallel \
-        > "log.$1" 2>&1 || { tail "log.$1"; stop "$1 failed (log.$1)"; }
+        > "log.$1" 2>&1 || failed "$1"
+    warned "$1"
     run reconstructPar
 }
 

@@ -263,8 +263,10 @@ Foam::fileName Foam::misplacedFile(const IOobject& io)
         {
             for (const fileName& name : readDir(folder, fileName::FILE))
             {
+                const std::string here(plain(name));
                 if (found.empty() && folder / name != right &&
-                    distance(plain(name), wanted) <= 3)
+                    (distance(here, wanted) <= 3 || here == "bodies" ||
+                     here.compare(0, 12, wanted, 0, 12) == 0))
                 {
                     found = folder / name;
                 }

@@ -13,9 +13,8 @@ namespace Foam
 defineTypeNameAndDebug(bodyCollection, 0);
 }
 
-const Foam::wordList Foam::bodyCollection::stateEntries({"deformableBodies",
-                                                         "diverged",
-                                                         "forAllGroups"});
+const Foam::wordList Foam::bodyCollection::stateEntries(
+    {"deformableBodies", "diverged", "forAllGroups", "interactions"});
 
 Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
                                      const bool solverBalances)

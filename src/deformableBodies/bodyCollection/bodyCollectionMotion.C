@@ -188,6 +188,10 @@ void Foam::bodyCollection::move(const labelList& groups, const bool predicted,
                         impulseFraction};
     const vector* U = U_.cdata();
     const scalar* lineDensity = lineDensity_.cdata();
+    if (interactions_ && groups.size() && groups_[groups[0]].directForcing())
+    {
+        interactions_->resist(groups, U, lineDensity, step);
+    }
     for (const label g : groups)
     {
         const string trouble(groups_[g].move(U, lineDensity, step));

@@ -20,6 +20,7 @@ Foam::bodyCollection::snapshot Foam::bodyCollection::save() const
         s.numbers.append(groups_[g].mine());
         s.states.append(groups_[g].states());
     }
+    if (interactions_) s.interactions = interactions_->memory();
     return s;
 }
 
@@ -35,6 +36,7 @@ void Foam::bodyCollection::restore(const snapshot& s)
             group.insert(s.numbers[g][i], s.states[g][i], dictionary::null);
         }
     }
+    if (interactions_) interactions_->remember(s.interactions);
     trouble_.clear();
     diverged_ = outside_ = false;
 }
@@ -131,6 +133,11 @@ bool Foam::bodyCollection::writeData(Ostream& os) const
             text << ")\n";
         }
         text << ");\n";
+    }
+    if (interactions_ && interactions_->resists())
+    {
+        const string state(interactions_->state());
+        text << stateEntries[3] << "\n{\n" << state << "}\n";
     }
     if (Pstream::master()) os << text.str().c_str();
 
@@ -371,6 +378,10 @@ void Foam::bodyCollection::readState(const IOdictionary& dict)
     }
 
     if (found) compareEntries(saved, initial);
+    if (found && interactions_)
+    {
+        interactions_->readState(saved.subOrEmptyDict(stateEntries[3]));
+    }
     forAll(groups_, g)
     {
         const bool continues = found && !initial[g];

@@ -208,6 +208,47 @@ void Foam::filamentGroup::shareAmongLines(const scalar* lineDensity,
     }
 }
 
+Foam::scalar Foam::filamentGroup::expect(const label i, const vector* U,
+                                         const scalar* lineDensity,
+                                         const bodyStep& s,
+                                         vectorField& V) const
+{
+    // The fluid's, where a marker feels it (see surround()), on straight lines
+    // between markers and beyond the last
+    const body& x = bodies_[i];
+    const label n = points_.size(), N = properties_.segments;
+    const scalar ds = properties_.ds();
+    const auto arc = [&](const label k)
+    { return points_[k].segment + points_[k].at; };
+    const auto velocity = [&](const label k)
+    {
+        return s.predicted || !x.line.started()
+                   ? U[k]
+                   : vector(1.5 * U[k] - 0.5 * x.U[k]);
+    };
+    V.setSize(N + 1);
+    label k = 0;
+    forAll(V, node)
+    {
+        while (k + 2 < n && arc(k + 1) < node)
+            ++k;
+        const scalar t = (node - arc(k)) / (arc(k + 1) - arc(k));
+        V[node] = (1 - t) * velocity(k) + t * velocity(k + 1);
+    }
+
+    // As a rigid rod, or where an implicit step bends less of it the part that the
+    // push moves: a beam on its drag, over the fourth root of their ratio
+    scalar drag = 0;
+    for (label m = 0; m < n; ++m)
+    {
+        drag += forcingGain(s) / lineDensity[m];
+    }
+    const scalar L = properties_.length;
+    const scalar bent =
+        2.8 * std::pow(properties_.rigidity * s.dt * L / drag, 0.25);
+    return max(scalar(1), L / max(bent, ds)) / drag;
+}
+
 Foam::string Foam::filamentGroup::move(const vector* U,
                                        const scalar* lineDensity,
                                        const bodyStep& s)

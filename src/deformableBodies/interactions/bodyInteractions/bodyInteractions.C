@@ -55,10 +55,12 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
       firstBody_(groups.size() + 1, label(0)),
       surfaces_(groups.size(), false)
 {
+    const dictionary& control = mesh.time().controlDict();
     interactionScene about{scene.grid,
                            scene.mu,
-                           mesh.time().controlDict().getOrDefault<scalar>(
-                               "deltaT", mesh.time().deltaTValue()),
+                           control.found("deltaT")
+                               ? readPositive(control, "deltaT", dimTime)
+                               : mesh.time().deltaTValue(),
                            0,
                            0,
                            GREAT};
@@ -102,6 +104,17 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
         {
             ofLines = max(ofLines, max(model.range(true, false),
                                        model.range(false, false)));
+        }
+    }
+    forAll(groups_, g)
+    {
+        if (resists() && takesPart(groups_[g]) && !surfaces_[g] &&
+            !groups_[g].directForcing())
+        {
+            refuse(dict.parent(), "interactions",
+                   "what resists the motion of filaments, with group " +
+                       groups_[g].name() + " of coupling oneWay",
+                   "filaments of coupling twoWay");
         }
     }
     if (ofSurfaces > 0) surfacePairs_.reset(new closePairs(grid_, ofSurfaces));
@@ -264,8 +277,9 @@ void Foam::bodyInteractions::add(const label group, const label body,
     const participant& p = bodies_[find_.at(firstBody_[group] + body)];
     for (label k = p.first; k < p.first + p.size; ++k)
     {
-        F[which_[k]] += (1 - onward_[k]) * F_[k];
-        if (onward_[k] > 0) F[which_[k] + 1] += onward_[k] * F_[k];
+        const vector ahead(onward_[k] * F_.F[k] + part_[k] * F_.arms[k]);
+        F[which_[k]] += F_.F[k] - ahead;
+        if (onward_[k] > 0) F[which_[k] + 1] += ahead;
     }
 }
 

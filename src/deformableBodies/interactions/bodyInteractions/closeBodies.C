@@ -23,6 +23,7 @@ void Foam::bodyInteractions::update()
     // Of each point area vector, size, radius and body; velocity. Surfaces first
     which_.clear();
     onward_.clear();
+    part_.clear();
     X_.clear();
     DynamicList<scalar> facts;
     DynamicList<vector> V;
@@ -37,10 +38,12 @@ void Foam::bodyInteractions::update()
             std::sqrt(points.crossSection / constant::mathematical::pi);
         const vectorField &x = points.places, &v = points.velocities;
         const auto append = [&](const label k, const scalar onward,
-                                const vector& area, const scalar size)
+                                const scalar part, const vector& area,
+                                const scalar size)
         {
             which_.append(k);
             onward_.append(onward);
+            part_.append(part);
             X_.append(onward > 0 ? (1 - onward) * x[k] + onward * x[k + 1]
                                  : x[k]);
             V.append(onward > 0 ? (1 - onward) * v[k] + onward * v[k + 1]
@@ -59,7 +62,7 @@ void Foam::bodyInteractions::update()
                 area += points.areas[k];
                 size += mag(points.areas[k]);
                 if (size < enough && k + 1 < n) continue;
-                append(k, 0, area, size);
+                append(k, 0, 0, area, size);
                 area = Zero;
                 size = 0;
             }
@@ -76,7 +79,8 @@ void Foam::bodyInteractions::update()
                     label(std::ceil(length / apart * (1 - 1e-6)));
                 for (label j = 0; j < parts; ++j)
                 {
-                    append(k, (j + 0.5) / parts, Zero, length / parts * h);
+                    append(k, (j + 0.5) / parts, scalar(1) / parts, Zero,
+                           length / parts * h);
                 }
             }
         }
@@ -91,16 +95,17 @@ void Foam::bodyInteractions::update()
         if (surfaces) nOfSurfaces = X_.size();
     }
 
-    F_.setSize(X_.size());
-    F_ = Zero;
+    F_.F = vectorField(X_.size(), Zero);
+    F_.arms = F_.F;
     overlap deepest;
     if (surfacePairs_)
     {
-        act(*surfacePairs_, false, nOfSurfaces, facts.cdata(), deepest);
+        act(*surfacePairs_, surfacePoints_, false, nOfSurfaces, facts.cdata(),
+            deepest);
     }
     if (linePairs_)
     {
-        act(*linePairs_, true, X_.size(), facts.cdata(), deepest);
+        act(*linePairs_, linePoints_, true, X_.size(), facts.cdata(), deepest);
     }
     warnOf(deepest);
 
@@ -113,18 +118,18 @@ void Foam::bodyInteractions::update()
             for (const interactionModel& model : models_)
             {
                 const scalar radius = facts[nFacts_ * k + 4];
-                F_[k] += model.ofWall(distance - radius, radius == 0) *
-                         facts[nFacts_ * k + 3] * inward;
+                F_.F[k] += model.ofWall(distance - radius, radius == 0) *
+                           facts[nFacts_ * k + 3] * inward;
             }
         }
-        power_ += F_[k] & V[k];
+        power_ += F_.F[k] & V[k];
     }
     work_ += time_.deltaTValue() * power_;
 }
 
-void Foam::bodyInteractions::act(closePairs& pairs, const bool lines,
-                                 const label n, const scalar* facts,
-                                 overlap& deepest)
+void Foam::bodyInteractions::act(closePairs& pairs, interactingPoints& points,
+                                 const bool lines, const label n,
+                                 const scalar* facts, overlap& deepest)
 {
     // Pairs of surfaces have a list of their own: here all are as one body
     labelList body(n);
@@ -137,8 +142,7 @@ void Foam::bodyInteractions::act(closePairs& pairs, const bool lines,
     pairs.search(SubList<vector>(X_, n), body);
     const scalarField there(pairs.points().handOut(facts, nFacts_));
     const label nHere = pairs.here().size();
-    interactingPoints points{vectorField(nHere), scalarField(nHere),
-                             scalarField(nHere)};
+    points = {vectorField(nHere), scalarField(nHere), scalarField(nHere)};
     labelList bodies(nHere);
     for (label k = 0; k < nHere; ++k)
     {
@@ -158,7 +162,7 @@ void Foam::bodyInteractions::act(closePairs& pairs, const bool lines,
     }
     pairs.points().addUp(scalarField(UList<scalar>(
                              reinterpret_cast<scalar*>(F.data()), 3 * nHere)),
-                         3, reinterpret_cast<scalar*>(F_.data()));
+                         3, reinterpret_cast<scalar*>(F_.F.data()));
 }
 
 void Foam::bodyInteractions::look(const closePairs& pairs,

@@ -30,9 +30,9 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
                "diameters of " + Foam::name(0.25 * h) +
                    " (a quarter of a cell) and more");
     }
-    return contactLaw(dict, scene.grid, h,
-                      0.25 * scene.mu * sqr(h) / scene.deltaT, dimForce,
-                      "mu h^2/(4 deltaT)");
+    const scalar borne = 0.25 * scene.mu * sqr(h) / scene.deltaT;
+    return contactLaw(dict, scene.grid, h, borne, dimForce, "mu h^2/(4 deltaT)",
+                      borne);
 }
 } // namespace
 

@@ -2,12 +2,13 @@
 
 #include "contactLaw.H"
 #include "dictionaryChecks.H"
+#include "judgedRatio.H"
 #include "mathematicalConstants.H"
 
 Foam::contactLaw::contactLaw(const dictionary& dict, const uniformGrid& grid,
                              const scalar range, const scalar strength,
                              const dimensionSet& dimensions,
-                             const string& reason)
+                             const string& reason, const scalar borne)
     : law_(readEnum(
           Enum<lawType>({{MORSE, "Morse"}, {EXPONENTIAL, "exponential"}}), dict,
           "law", MORSE)),
@@ -26,6 +27,9 @@ Foam::contactLaw::contactLaw(const dictionary& dict, const uniformGrid& grid,
                Foam::name(0.5 * h) + " (half a cell) to " + Foam::name(most) +
                    " (half the box)");
     }
+    judge(dict, {{"strength", "strength/" + Foam::name(borne),
+                  strength_ / borne, 0, GREAT, 0, 10,
+                  "a contact stiffer than deltaT bears throws bodies apart"}});
 }
 
 void Foam::contactLaw::at(const scalar d, scalar& P, scalar& slope) const

@@ -23,13 +23,14 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
     }
     scalar strength = 5 * scene.softest;
     string reason("5 Gs/a");
-    if (0.25 * scene.mu / scene.deltaT < strength)
+    const scalar borne = 0.25 * scene.mu / scene.deltaT;
+    if (borne < strength)
     {
-        strength = 0.25 * scene.mu / scene.deltaT;
+        strength = borne;
         reason = "mu/(4 deltaT)";
     }
     return contactLaw(dict, scene.grid, 1.5 * cmptMax(scene.grid.h()), strength,
-                      dimPressure, reason);
+                      dimPressure, reason, borne);
 }
 } // namespace
 

@@ -1,0 +1,214 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "lubrication.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryChecks.H"
+#include "mathematicalConstants.H"
+#include "segmentDistance.H"
+
+namespace Foam
+{
+defineTypeNameAndDebug(lubrication, 0);
+addToRunTimeSelectionTable(interactionModel, lubrication, dictionary);
+} // namespace Foam
+
+namespace
+{
+using namespace Foam;
+const scalar pi = constant::mathematical::pi;
+
+scalar given(const dictionary& dict, const word& name, const scalar otherwise)
+{
+    return dict.found(name) ? readPositive(dict, name, dimLength) : otherwise;
+}
+} // namespace
+
+Foam::lubrication::lubrication(const dictionary& dict,
+                               const interactionScene& scene)
+    : mu_(scene.mu * (dict.found("coefficient")
+                          ? readPositive(dict, "coefficient", dimless)
+                          : 1)),
+      thickest_(scene.thickest),
+      longest_(0.5 * cmptMax(scene.grid.h())),
+      range_(given(dict, "range", cmptMax(scene.grid.h()))),
+      roughness_(given(dict, "roughness", 0.01 * scene.thinnest)),
+      neighbours_(scene.grid),
+      copies_(neighbours_, 2)
+{
+    if (scene.thickest == 0)
+    {
+        refuse(dict.parent(), type(), "{...}",
+               "scenes with filaments that act on the fluid");
+    }
+    checkEntries(dict, {"range", "roughness", "coefficient"});
+    const scalar most = 0.25 * cmptMin(scene.grid.length());
+    if (range_ > most)
+    {
+        refuse(dict, "range", Foam::name(range_),
+               "gaps of less than " + Foam::name(most) +
+                   " (a quarter of the box)");
+    }
+    if (roughness_ >= range_)
+    {
+        refuse(dict, "roughness", Foam::name(roughness_),
+               "gaps below the range, " + Foam::name(range_));
+    }
+}
+
+Foam::string Foam::lubrication::describe() const
+{
+    return "gaps from " + Foam::name(range_) + " on, alike below " +
+           Foam::name(roughness_);
+}
+
+Foam::lubrication::film Foam::lubrication::between(const vector& e1,
+                                                   const vector& e2,
+                                                   const vector& r12,
+                                                   const scalar r1,
+                                                   const scalar r2) const
+{
+    film f{-1, -1, false, 0, 0, 0, Zero};
+    const scalar radii = r1 + r2, r = 2 * r1 * r2 / radii;
+    const vector a(r12 - 0.5 * e1), c(-0.5 * e2);
+    const scalar nearest = mag(connection(a, a + e1, c, c + e2)) - radii;
+    if (nearest >= range_) return f;
+
+    // Mid-points, closer than the film is wide
+    const scalar apart = 0.7 * std::sqrt(4 * r * max(nearest, roughness_));
+    const label n1 = label(mag(e1) / apart) + 1,
+                n2 = label(mag(e2) / apart) + 1;
+    for (label i = 0; i < n1; ++i)
+    {
+        const scalar s = (i + 0.5) / n1 - 0.5;
+        const vector x(r12 + s * e1);
+        for (label j = 0; j < n2; ++j)
+        {
+            const scalar t = (j + 0.5) / n2 - 0.5;
+            const scalar d = mag(x - t * e2);
+            const scalar gap = max(d - radii, roughness_);
+            if (gap >= range_) continue;
+            const scalar k = (1 / sqr(gap) - 1 / sqr(range_)) / max(d, radii);
+            f.k += k;
+            f.at += k * s;
+            f.otherAt += k * t;
+        }
+    }
+    if (f.k == 0) return f;
+    f.at /= f.k;
+    f.otherAt /= f.k;
+    f.k *= 3 * mu_ * sqr(r) * mag(e1) * mag(e2) / (n1 * n2);
+    f.n = r12 + f.at * e1 - f.otherAt * e2;
+    f.n /= max(mag(f.n), VSMALL);
+    return f;
+}
+
+Foam::scalar Foam::lubrication::ofWall(const scalar gap, const scalar r) const
+{
+    const auto per = [&](const scalar g) { return std::pow(2 * r / g, 1.5); };
+    return gap < range_
+               ? 1.5 * pi * mu_ * (per(max(gap, roughness_)) - per(range_))
+               : 0;
+}
+
+void Foam::lubrication::findResistances(const closePairs& pairs,
+                                        const interactingPoints& points,
+                                        const fibreMotions& motions,
+                                        scalarField& k)
+{
+    films_.clear();
+    for (const closePairs::pair& p : pairs.pairs())
+    {
+        const scalar r1 = points.radii[p.first], r2 = points.radii[p.second];
+        if (r1 == 0 || r2 == 0) continue;
+        film f(between(motions.elements[p.first], motions.elements[p.second],
+                       p.r, r1, r2));
+        if (f.k == 0) continue;
+        f.first = p.first;
+        f.second = p.second;
+        f.bothHeld = p.bothHeld;
+        films_.push_back(f);
+        k[f.first] += f.k;
+        if (f.bothHeld) k[f.second] += f.k;
+    }
+    forAll(motions.toWalls, i)
+    {
+        const scalar gap = motions.toWalls[i] - points.radii[i];
+        if (points.radii[i] == 0 || gap >= range_ || !pairs.points().holds(i))
+        {
+            continue;
+        }
+        const scalar k1 =
+            ofWall(gap, points.radii[i]) * mag(motions.elements[i]);
+        films_.push_back({i, -1, false, k1, 0, 0, motions.inward[i]});
+        k[i] += k1;
+    }
+}
+
+void Foam::lubrication::resist(const closePairs& pairs,
+                               const fibreMotions& motions,
+                               const scalarField& implicit, armedForces& forces)
+{
+    const auto velocity = [&](const label k, const scalar at)
+    { return motions.velocities[k] + at * motions.turns[k]; };
+    vectorField X(films_.size());
+    scalarField entries(5 * X.size());
+    label n = 0;
+    for (const film& f : films_)
+    {
+        const label i = f.first, j = f.second;
+        const bool wall = j < 0;
+        key which{pairs.body()[i], motions.numbers[i],
+                  wall ? -1 : pairs.body()[j], wall ? -1 : motions.numbers[j]};
+        if (!wall && which[2] < which[0])
+        {
+            std::swap(which[0], which[2]);
+            std::swap(which[1], which[3]);
+        }
+        vector v(velocity(i, f.at));
+        scalar M = implicit[i];
+        if (!wall)
+        {
+            v -= velocity(j, f.otherAt);
+            M += implicit[j];
+        }
+        const auto last = forces_.find(which);
+        scalar F = last == forces_.end() ? 0 : last->second;
+        F += (-f.k * (f.n & v) - F) / (1 + M);
+
+        forces.F[i] += F * f.n;
+        forces.arms[i] += f.at * F * f.n;
+        if (f.bothHeld)
+        {
+            forces.F[j] -= F * f.n;
+            forces.arms[j] -= f.otherAt * F * f.n;
+        }
+        X[n] = pairs.here()[i];
+        scalar* at = &entries[5 * n++];
+        at = std::copy(which.begin(), which.end(), at);
+        *at = F;
+    }
+    copies_.place(X);
+    remember(copies_.handOut(entries.cdata(), 5));
+}
+
+Foam::scalarList Foam::lubrication::memory() const
+{
+    scalarList all(5 * forces_.size());
+    scalar* at = all.data();
+    for (const auto& f : forces_)
+    {
+        at = std::copy(f.first.begin(), f.first.end(), at);
+        *at++ = f.second;
+    }
+    return all;
+}
+
+void Foam::lubrication::remember(const scalarList& all)
+{
+    forces_.clear();
+    for (label n = 0; n < all.size(); n += 5)
+    {
+        const scalar* x = &all[n];
+        forces_[{label(x[0]), label(x[1]), label(x[2]), label(x[3])}] = x[4];
+    }
+}
