@@ -135,6 +135,12 @@ int main(int argc, char* argv[])
             << ", endTime is " << runTime.endTime().value() << ", deltaT "
             << runTime.deltaTValue() << nl << endl;
     }
+    else if (!runTime.writeTime())
+    {
+        Info<< "Not written: the last time, " << runTime.timeName()
+            << ", which is no write time (writeControl, writeInterval)" << nl
+            << endl;
+    }
     printTraffic(runTime);
 
     Info<< "End\n" << endl;

@@ -154,6 +154,17 @@ void Foam::requireFinishedTime(const polyMesh& mesh, const wordList& fields)
     }
     missing = firstOf(missing);
     if (missing.empty()) return;
+
+    wordList times;
+    for (const instant& t : time.times())
+    {
+        if (t.name() != time.constant()) times.append(t.name());
+    }
+    if (!times.found(time.timeName()))
+    {
+        refuse(time.controlDict(), "startTime", time.timeName(),
+               "the times that there are, " + oneOf(times));
+    }
     FatalErrorInFunction
         << "time " << time.timeName() << " is unfinished, as there is no file "
         << missing.c_str() << nl

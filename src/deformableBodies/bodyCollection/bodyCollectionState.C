@@ -380,7 +380,8 @@ void Foam::bodyCollection::readState(const IOdictionary& dict)
     if (found) compareEntries(saved, initial);
     if (found && interactions_)
     {
-        interactions_->readState(saved.subOrEmptyDict(stateEntries[3]));
+        interactions_->readState(saved.subOrEmptyDict(stateEntries[3]),
+                                 initial);
     }
     forAll(groups_, g)
     {

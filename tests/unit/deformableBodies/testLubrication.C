@@ -20,10 +20,10 @@ const uniformGrid& grid()
 struct scene
 {
     const scalar mu = 2, r = 0.5 * cmptMin(grid().h()), R = 0.2 * r;
-    const interactionScene about{grid(), mu, 0.01, 0, r, r};
 
     lubrication model(const scalar roughness) const
     {
+        const interactionScene about{grid(), mu, 0.01, 0, r, r};
         IStringStream is("range " + Foam::name(R) + "; roughness " +
                          Foam::name(roughness) + ";");
         return lubrication(dictionary(is), about);
@@ -40,7 +40,7 @@ TEST(Lubrication, formulas)
     const scalar r = s.r;
     for (scalar g = 1e-6 * r; g < 2e-2 * r; g *= 10)
     {
-        const lubrication model(s.model(0.1 * g));
+        const lubrication model(s.model(max(0.1 * g, 1e-6 * r)));
         for (const scalar degrees : {90.0, 45.0, 15.0})
         {
             const scalar a = degrees * pi / 180;
@@ -55,6 +55,19 @@ TEST(Lubrication, formulas)
                                   std::to_string(g / r),
                               mag(film.k / right - 1), 0.02);
             EXPECT_NEAR(film.n.y(), 1, 1e-6);
+        }
+
+        // Of different radii: reduced to those of the principal curvatures
+        {
+            const scalar b = 0.3 * r, both = r * b / (r + b);
+            const vector e1(2 * r, 0, 0), e2(0, 0, 2 * r);
+            const auto film =
+                model.between(e1, e2, vector(0, r + b + g, 0), r, b);
+            const scalar right = 12 * pi * s.mu * both * std::sqrt(r * b) *
+                                 (1 / g - 1 / s.R - (s.R - g) / sqr(s.R));
+            test::expectBelow("radii 1 and 0.3, gap over radius " +
+                                  std::to_string(g / r),
+                              mag(film.k / right - 1), 0.02);
         }
 
         // An element beside one that is longer than the film is wide

@@ -3,6 +3,7 @@
 // What resists the relative motion of fibres, and what it remembers
 
 #include "bodyInteractions.H"
+#include "Pair.H"
 #include <algorithm>
 #include <iomanip>
 #include <map>
@@ -36,13 +37,18 @@ vectorField sumUp(const pointCopies& points, const vectorField& here)
     return own;
 }
 
-const word ofWalls("walls");
+//- In place of a group; no group may have a colon in its name
+const word ofWalls("wall:");
 } // namespace
 
 bool Foam::bodyInteractions::resists() const
 {
-    return std::any_of(models_.begin(), models_.end(),
-                       [](const interactionModel& m) { return m.resists(); });
+    bool any = false;
+    for (const interactionModel& model : models_)
+    {
+        any = any || model.resists();
+    }
+    return any;
 }
 
 void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
@@ -101,8 +107,8 @@ void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
         motions.toWalls[k] = toWall(x[k], motions.inward[k]);
     }
 
-    // What all resistances of a body together take from each of its points, as of a
-    // rod: a push at s' adds 1 + 12 s s' at s, in lengths from the middle
+    // What all resistances of a body together take from each of its points, at most, as
+    // of a rod: a push at s' adds 1 + 12 |s s'| at s, in lengths from the middle
     scalarField k(x.size(), Zero);
     for (interactionModel& model : models_)
     {
@@ -170,7 +176,7 @@ Foam::string Foam::bodyInteractions::state() const
         const label body = label(x[0]);
         if (body < 0)
         {
-            text << ofWalls << " 0 0 ";
+            text << ofWalls << " 0 " << label(x[1]) << ' ';
             return;
         }
         label g = 0;
@@ -187,13 +193,14 @@ Foam::string Foam::bodyInteractions::state() const
         Pstream::gatherList(ofRanks);
 
         // Ranks may have the same
-        std::map<std::vector<scalar>, scalar> sorted;
+        std::map<std::vector<scalar>, Pair<scalar>> sorted;
         for (const scalarList& all : ofRanks)
         {
-            for (label n = 0; n < all.size(); n += 5)
+            for (label n = 0; n < all.size(); n += 6)
             {
                 const scalar* x = &all[n];
-                sorted.insert({std::vector<scalar>(x, x + 4), x[4]});
+                sorted.insert(
+                    {std::vector<scalar>(x, x + 4), Pair<scalar>(x[4], x[5])});
             }
         }
         text << "    " << model.type() << "\n    (\n";
@@ -202,14 +209,16 @@ Foam::string Foam::bodyInteractions::state() const
             text << "        ";
             point(entry.first.data());
             point(entry.first.data() + 2);
-            text << entry.second << '\n';
+            text << entry.second.first() << ' ' << entry.second.second()
+                 << '\n';
         }
         text << "    );\n";
     }
     return text.str();
 }
 
-void Foam::bodyInteractions::readState(const dictionary& saved)
+void Foam::bodyInteractions::readState(const dictionary& saved,
+                                       const boolList& initial)
 {
     List<scalarList> all(models_.size());
     forAll(models_, m)
@@ -224,9 +233,10 @@ void Foam::bodyInteractions::readState(const dictionary& saved)
             label g = 0;
             while (g < groups_.size() && groups_[g].name() != group)
                 ++g;
-            const bool known = g < groups_.size();
+            const bool known = g < groups_.size() && !initial[g] &&
+                               number < groups_[g].nBodies();
             numbers.append(known ? firstBody_[g] + number : -1);
-            numbers.append(known ? at : -1);
+            numbers.append(at);
             return known || group == ofWalls;
         };
         is.readBegin("list");
@@ -235,6 +245,8 @@ void Foam::bodyInteractions::readState(const dictionary& saved)
             is.putBack(t);
             const label before = numbers.size();
             const bool first = point(), second = point();
+            const scalar force = readScalar(is);
+            numbers.append(force);
             numbers.append(readScalar(is));
             if (!first || !second) numbers.resize(before);
         }

@@ -3,6 +3,7 @@
 #include "lubrication.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
+#include "judgedRatio.H"
 #include "mathematicalConstants.H"
 #include "segmentDistance.H"
 
@@ -16,6 +17,24 @@ namespace
 {
 using namespace Foam;
 const scalar pi = constant::mathematical::pi;
+
+//- The lower body first
+void lowerFirst(std::array<label, 4>& key)
+{
+    if (key[2] < 0 || key[0] < key[2]) return;
+    std::swap(key[0], key[2]);
+    std::swap(key[1], key[3]);
+}
+
+//- Number of a wall by the direction away from it
+label sideOf(const vector& inward)
+{
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (mag(inward[d]) > 0.5) return 2 * d + (inward[d] < 0 ? 1 : 0);
+    }
+    return 0;
+}
 
 scalar given(const dictionary& dict, const word& name, const scalar otherwise)
 {
@@ -40,6 +59,15 @@ Foam::lubrication::lubrication(const dictionary& dict,
         refuse(dict.parent(), type(), "{...}",
                "scenes with filaments that act on the fluid");
     }
+    const scalar h = cmptMax(scene.grid.h());
+    if (scene.thinnest < 0.125 * h)
+    {
+        refuse(dict.parent(), type(),
+               "{...} with filaments of diameter " +
+                   Foam::name(2 * scene.thinnest),
+               "diameters of " + Foam::name(0.25 * h) +
+                   " (a quarter of a cell) and more");
+    }
     checkEntries(dict, {"range", "roughness", "coefficient"});
     const scalar most = 0.25 * cmptMin(scene.grid.length());
     if (range_ > most)
@@ -53,6 +81,9 @@ Foam::lubrication::lubrication(const dictionary& dict,
         refuse(dict, "roughness", Foam::name(roughness_),
                "gaps below the range, " + Foam::name(range_));
     }
+    judge(dict, {{"roughness", "roughness/radius", roughness_ / scene.thinnest,
+                  0.999e-6, GREAT, 0.999e-3, GREAT,
+                  "the thinner the film, the longer its sum takes"}});
 }
 
 Foam::string Foam::lubrication::describe() const
@@ -96,7 +127,8 @@ Foam::lubrication::film Foam::lubrication::between(const vector& e1,
     if (f.k == 0) return f;
     f.at /= f.k;
     f.otherAt /= f.k;
-    f.k *= 3 * mu_ * sqr(r) * mag(e1) * mag(e2) / (n1 * n2);
+    f.k *= 6 * mu_ * std::pow(r1 * r2, 1.5) / radii * mag(e1) * mag(e2) /
+           (n1 * n2);
     f.n = r12 + f.at * e1 - f.otherAt * e2;
     f.n /= max(mag(f.n), VSMALL);
     return f;
@@ -150,29 +182,28 @@ void Foam::lubrication::resist(const closePairs& pairs,
 {
     const auto velocity = [&](const label k, const scalar at)
     { return motions.velocities[k] + at * motions.turns[k]; };
-    vectorField X(films_.size());
-    scalarField entries(5 * X.size());
-    label n = 0;
+    DynamicList<vector> X(2 * films_.size());
+    DynamicList<scalar> entries(6 * X.capacity());
     for (const film& f : films_)
     {
         const label i = f.first, j = f.second;
-        const bool wall = j < 0;
-        key which{pairs.body()[i], motions.numbers[i],
-                  wall ? -1 : pairs.body()[j], wall ? -1 : motions.numbers[j]};
-        if (!wall && which[2] < which[0])
-        {
-            std::swap(which[0], which[2]);
-            std::swap(which[1], which[3]);
-        }
+        key which{pairs.body()[i], motions.numbers[i], -1, sideOf(f.n)};
         vector v(velocity(i, f.at));
         scalar M = implicit[i];
-        if (!wall)
+        if (j >= 0)
         {
+            which[2] = pairs.body()[j];
+            which[3] = motions.numbers[j];
             v -= velocity(j, f.otherAt);
             M += implicit[j];
         }
+        lowerFirst(which);
         const auto last = forces_.find(which);
-        scalar F = last == forces_.end() ? 0 : last->second;
+        scalar F = 0;
+        if (last != forces_.end())
+        {
+            F = last->second.force * min(scalar(1), f.k / last->second.k);
+        }
         F += (-f.k * (f.n & v) - F) / (1 + M);
 
         forces.F[i] += F * f.n;
@@ -182,23 +213,32 @@ void Foam::lubrication::resist(const closePairs& pairs,
             forces.F[j] -= F * f.n;
             forces.arms[j] -= f.otherAt * F * f.n;
         }
-        X[n] = pairs.here()[i];
-        scalar* at = &entries[5 * n++];
-        at = std::copy(which.begin(), which.end(), at);
-        *at = F;
+        const auto file = [&](const label at)
+        {
+            X.append(pairs.here()[at]);
+            for (const label x : which)
+            {
+                entries.append(x);
+            }
+            entries.append(F);
+            entries.append(f.k);
+        };
+        file(i);
+        if (f.bothHeld && Pstream::parRun()) file(j);
     }
     copies_.place(X);
-    remember(copies_.handOut(entries.cdata(), 5));
+    remember(copies_.handOut(entries.cdata(), 6));
 }
 
 Foam::scalarList Foam::lubrication::memory() const
 {
-    scalarList all(5 * forces_.size());
+    scalarList all(6 * forces_.size());
     scalar* at = all.data();
     for (const auto& f : forces_)
     {
         at = std::copy(f.first.begin(), f.first.end(), at);
-        *at++ = f.second;
+        *at++ = f.second.force;
+        *at++ = f.second.k;
     }
     return all;
 }
@@ -206,9 +246,11 @@ Foam::scalarList Foam::lubrication::memory() const
 void Foam::lubrication::remember(const scalarList& all)
 {
     forces_.clear();
-    for (label n = 0; n < all.size(); n += 5)
+    for (label n = 0; n < all.size(); n += 6)
     {
         const scalar* x = &all[n];
-        forces_[{label(x[0]), label(x[1]), label(x[2]), label(x[3])}] = x[4];
+        key which{label(x[0]), label(x[1]), label(x[2]), label(x[3])};
+        lowerFirst(which);
+        forces_[which] = {x[4], x[5]};
     }
 }
