@@ -182,10 +182,11 @@ TEST(FilamentOrders, schemes)
                 s.name, names[k], order, steps[k], needed[k]);
             EXPECT_GE(order, k == filament::TWO_STEP ? 0.8 : 1.7);
         }
-        // (quasi-static, the load leaves little to gain)
+        // A step of the implicit scheme costs about twice one of the other, and its
+        // time is to be a tenth (quasi-static, the load leaves less to gain: a fifth)
         test::expectBelow(std::string(s.name) +
                               ": steps for 1e-3, implicit over twoStep",
-                          steps[0] / steps[1], s.ramp ? 0.04 : 0.02);
+                          steps[0] / steps[1], s.ramp ? 0.1 : 0.05);
     }
 }
 
