@@ -98,13 +98,17 @@ void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
     const pointCopies& points = linePairs_->points();
     const vectorField& x = linePairs_->here();
     const scalarField numbersHere(points.handOut(number.cdata(), 1));
-    fibreMotions motions{labelList(x.size()),   handOut(points, element),
-                         handOut(points, V),    handOut(points, turn),
-                         scalarField(x.size()), vectorField(x.size(), Zero)};
+    fibreMotions motions{
+        labelList(x.size()),          handOut(points, element),
+        handOut(points, V),           handOut(points, turn),
+        scalarField(x.size(), GREAT), vectorField(x.size(), Zero)};
     forAll(x, k)
     {
         motions.numbers[k] = label(numbersHere[k]);
-        motions.toWalls[k] = toWall(x[k], motions.inward[k]);
+        if (linePoints_.radii[k] > 0)
+        {
+            motions.toWalls[k] = toWall(x[k], motions.inward[k]);
+        }
     }
 
     // What all resistances of a body together take from each of its points, at most, as

@@ -2,7 +2,6 @@
 
 #include "collision.H"
 #include "addToRunTimeSelectionTable.H"
-#include "dictionaryChecks.H"
 
 namespace Foam
 {
@@ -17,19 +16,7 @@ using namespace Foam;
 contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
 {
     const scalar h = cmptMax(scene.grid.h());
-    if (scene.thickest == 0)
-    {
-        refuse(dict.parent(), "collision", "{...}",
-               "scenes with filaments in a fluid");
-    }
-    if (scene.thinnest < 0.125 * h)
-    {
-        refuse(dict.parent(), "collision",
-               "{...} with filaments of diameter " +
-                   Foam::name(2 * scene.thinnest),
-               "diameters of " + Foam::name(0.25 * h) +
-                   " (a quarter of a cell) and more");
-    }
+    needFibres(dict.parent(), "collision", scene);
     const scalar borne = 0.25 * scene.mu * sqr(h) / scene.deltaT;
     return contactLaw(dict, scene.grid, h, borne, dimForce, "mu h^2/(4 deltaT)",
                       borne);

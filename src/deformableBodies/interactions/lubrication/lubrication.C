@@ -54,20 +54,7 @@ Foam::lubrication::lubrication(const dictionary& dict,
       neighbours_(scene.grid),
       copies_(neighbours_, 2)
 {
-    if (scene.thickest == 0)
-    {
-        refuse(dict.parent(), type(), "{...}",
-               "scenes with filaments that act on the fluid");
-    }
-    const scalar h = cmptMax(scene.grid.h());
-    if (scene.thinnest < 0.125 * h)
-    {
-        refuse(dict.parent(), type(),
-               "{...} with filaments of diameter " +
-                   Foam::name(2 * scene.thinnest),
-               "diameters of " + Foam::name(0.25 * h) +
-                   " (a quarter of a cell) and more");
-    }
+    needFibres(dict.parent(), type(), scene);
     checkEntries(dict, {"range", "roughness", "coefficient"});
     const scalar most = 0.25 * cmptMin(scene.grid.length());
     if (range_ > most)
