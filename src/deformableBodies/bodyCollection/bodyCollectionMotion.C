@@ -4,6 +4,17 @@
 
 #include "bodyCollection.H"
 
+namespace
+{
+Foam::scalar impulseFractionOf(const Foam::forcingType forcing,
+                               const Foam::scalar diffusionNumber)
+{
+    return forcing == Foam::forcingType::ofLines
+               ? Foam::impulseFractionOfLine(diffusionNumber)
+               : Foam::impulseFractionOfSurface(diffusionNumber);
+}
+} // namespace
+
 void Foam::bodyCollection::advance(const surfaceScalarField& phi)
 {
     const Time& time = mesh_.time();
@@ -24,13 +35,15 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
     }
     if (!empty())
     {
-        const labelList direct(groupsThat(true));
         staggeredField u(grid_.box());
         grid_.toStaggered(phi, u);
         const scalar dt = time.deltaTValue();
         moveWithVelocity(u, force);
-        if (direct.size() && !diverged_)
+        for (const forcingType forcing :
+             {forcingType::ofLines, forcingType::ofSurfaces})
         {
+            const labelList direct(groupsThat(forcing));
+            if (direct.empty() || diverged_) continue;
             place(direct, dt);
             {
                 const auto timing(effects_.time("interpolation"));
@@ -38,7 +51,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
             }
             // Diffusion in a solver of which no more is known
             move(direct, false,
-                 impulseFractionOf(grid_.diffusionNumber(nu_, dt)));
+                 impulseFractionOf(forcing, grid_.diffusionNumber(nu_, dt)));
             collectLoads(direct);
             spread(force);
         }
@@ -71,7 +84,7 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
 
     const auto rest(effects_.time("places"));
     ownership_->migrate(groups_);
-    const labelList groups(groupsThat(false));
+    const labelList groups(groupsThat(forcingType::none));
     if (sampleDue()) observe(u);
     if (!alone_ && groups.size())
     {
@@ -93,8 +106,16 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
 
 void Foam::bodyCollection::moveWithPrediction(const velocityPrediction& p)
 {
-    const labelList groups(groupsThat(true));
+    moveWithPrediction(p, forcingType::ofLines);
+    moveWithPrediction(p, forcingType::ofSurfaces);
+}
+
+void Foam::bodyCollection::moveWithPrediction(const velocityPrediction& p,
+                                              const forcingType forcing)
+{
+    const labelList groups(groupsThat(forcing));
     if (groups.empty() || diverged_) return;
+    const scalar fraction = impulseFractionOf(forcing, p.diffusionNumber);
 
     // The force of the last step, where the markers are now
     place(groups, mesh_.time().deltaTValue());
@@ -104,8 +125,8 @@ void Foam::bodyCollection::moveWithPrediction(const velocityPrediction& p)
     {
         spread(p.force[i]);
     }
-    spread(p.force[0], p.u);
-    move(groups, true, p.impulseFraction);
+    spread(p.force[0], p.after(fraction));
+    move(groups, true, fraction);
     if (diverged_) return;
 
     // And what it has changed by
@@ -117,12 +138,13 @@ void Foam::bodyCollection::moveWithPrediction(const velocityPrediction& p)
     }
 }
 
-Foam::labelList Foam::bodyCollection::groupsThat(const bool direct) const
+Foam::labelList
+Foam::bodyCollection::groupsThat(const forcingType forcing) const
 {
     DynamicList<label> which;
     forAll(groups_, g)
     {
-        if (groups_[g].directForcing() == direct) which.append(g);
+        if (groups_[g].forcing() == forcing) which.append(g);
     }
     return labelList(std::move(which));
 }
@@ -143,15 +165,16 @@ void Foam::bodyCollection::place(const labelList& groups, const scalar dt)
     vectorField X(nMarkers(groups));
     labelList line(X.size(), -1);
     label at = 0, firstLine = 0;
-    bool anyLines = false;
+    bool anyLines = false, mayFold = false;
     for (const label g : groups)
     {
         bodyGroup& group = groups_[g];
         const label n = group.nMarkers();
         group.markers(X.data() + at, dt);
-        if (group.directForcing())
+        if (group.forcing() != forcingType::none)
         {
             anyLines = true;
+            mayFold = group.forcing() == forcingType::ofLines;
             group.lines(line.data() + at);
             for (label k = at; k < at + n; ++k)
             {
@@ -162,7 +185,7 @@ void Foam::bodyCollection::place(const labelList& groups, const scalar dt)
         at += n;
     }
     markers_->place(X);
-    if (anyLines) markers_->lineDensity(X, line, lineDensity_);
+    if (anyLines) markers_->lineDensity(X, line, mayFold, lineDensity_);
 }
 
 void Foam::bodyCollection::observe(const staggeredView& u)
@@ -170,7 +193,7 @@ void Foam::bodyCollection::observe(const staggeredView& u)
     forAll(groups_, g)
     {
         bodyGroup& group = groups_[g];
-        if (!group.directForcing()) continue;
+        if (group.forcing() == forcingType::none) continue;
         const auto timing(effects_.time("interpolation"));
         vectorField X(group.nMarkers());
         group.markers(X.data(), 0);
@@ -188,7 +211,8 @@ void Foam::bodyCollection::move(const labelList& groups, const bool predicted,
                         impulseFraction};
     const vector* U = U_.cdata();
     const scalar* lineDensity = lineDensity_.cdata();
-    if (interactions_ && groups.size() && groups_[groups[0]].directForcing())
+    if (interactions_ && groups.size() &&
+        groups_[groups[0]].forcing() == forcingType::ofLines)
     {
         interactions_->resist(groups, U, lineDensity, step);
     }

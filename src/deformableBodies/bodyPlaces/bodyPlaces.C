@@ -66,7 +66,7 @@ Foam::bodyPlaces::bodyPlaces(const fvMesh& mesh, PtrList<bodyGroup>& groups,
     forAll(groups_, g)
     {
         firstBody_[g + 1] = firstBody_[g] + groups_[g].nBodies();
-        anyForcing_ = anyForcing_ || groups_[g].directForcing();
+        anyForcing_ = anyForcing_ || groups_[g].forcing() == forcingType::ofLines;
         for (label h = 0; h <= g; ++h)
         {
             // Others share no force through the fluid
@@ -167,7 +167,7 @@ void Foam::bodyPlaces::warnOfWalls()
     forAll(groups_, g)
     {
         const bodyGroup& group = groups_[g];
-        if (wallNamed_[g] || !group.directForcing()) continue;
+        if (wallNamed_[g] || group.forcing() != forcingType::ofLines) continue;
         string near;
         for (label i = 0; nearWall_[g] && i < group.mine().size(); ++i)
         {

@@ -172,30 +172,7 @@ Foam::bodySurface Foam::capsuleGroup::surface(const label i) const
     grid.values(c.x.data(), onGrid_.data());
     s.points = vectors(onGrid_);
 
-    // Quadrilaterals, and one polygon over each pole
-    DynamicList<face> faces;
-    for (label r = 0; r + 1 < grid.nTheta(); ++r)
-    {
-        for (label j = 0; j < nPhi; ++j)
-        {
-            const label a = r * nPhi + j, b = r * nPhi + (j + 1) % nPhi;
-            face quad(4);
-            quad[0] = a;
-            quad[1] = a + nPhi;
-            quad[2] = b + nPhi;
-            quad[3] = b;
-            faces.append(quad);
-        }
-    }
-    face north(nPhi), south(nPhi);
-    for (label j = 0; j < nPhi; ++j)
-    {
-        north[j] = j;
-        south[j] = n - 1 - j;
-    }
-    faces.append(north);
-    faces.append(south);
-    s.faces.transfer(faces);
+    s.faces = ringFaces(grid.nTheta(), nPhi);
     return s;
 }
 

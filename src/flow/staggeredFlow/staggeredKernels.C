@@ -197,16 +197,15 @@ Foam::velocityPrediction Foam::staggeredFlow::prediction()
         {
             u.first[d] = u_[d].data() + block_.place(0, 0, 0);
         }
-        p = {{velocity()}, 1, {u}};
+        p = {{velocity()}, 0, {u}};
     }
     else
     {
-        const scalar fraction =
-            explicit_
-                ? 1
-                : impulseFractionOf(grid_.diffusionNumber(nuMax_, stepDt_));
-        const scalar part = (explicit_ ? 1 : 0.7 * fraction) / others;
-        p = {{velocity(), {increment(), part}}, fraction, {{increment(), dt}}};
+        const scalar number =
+            explicit_ ? 0 : grid_.diffusionNumber(nuMax_, stepDt_);
+        p = {{velocity(), {increment(), 1 / others}},
+             number,
+             {{increment(), dt}}};
     }
 
     // Later stages of RK3 have the force as well

@@ -178,7 +178,8 @@ constexpr Foam::scalar Foam::markerSet::lineReach;
 // A line is not folded where all its parts run within 60 degrees of its chord, and
 // its periodic images are beyond reach
 Foam::scalarField Foam::markerSet::linesHere(const UList<vector>& X,
-                                             const labelUList& line) const
+                                             const labelUList& line,
+                                             const bool mayFold) const
 {
     const auto isFolded = [&](const label begin, const label end)
     {
@@ -207,7 +208,8 @@ Foam::scalarField Foam::markerSet::linesHere(const UList<vector>& X,
     {
         while (end < line.size() && line[end] == line[begin])
             ++end;
-        const bool folded = line[begin] >= 0 && isFolded(begin, end);
+        const bool folded =
+            mayFold && line[begin] >= 0 && isFolded(begin, end);
         for (label k = begin; k < end; ++k)
         {
             ids[3 * k] = line[k];
@@ -222,7 +224,7 @@ void Foam::markerSet::closeLines(const UList<vector>& X, const labelUList& line,
                                  const visitor& visit) const
 {
     const vectorField& here = copies_.here();
-    const markerBins bins(grid_, here, linesHere(X, line));
+    const markerBins bins(grid_, here, linesHere(X, line, false));
     forAll(here, k)
     {
         const markerBins::entry& e = bins[k];
@@ -248,11 +250,11 @@ void Foam::markerSet::closeLines(const UList<vector>& X, const labelUList& line,
 // The kernel sees another marker the less the further it is away along each
 // direction; here a straight line down to zero stands for that
 void Foam::markerSet::lineDensity(const UList<vector>& X,
-                                  const labelUList& line,
+                                  const labelUList& line, const bool mayFold,
                                   scalarField& density) const
 {
     const vectorField& here = copies_.here();
-    const markerBins bins(grid_, here, linesHere(X, line));
+    const markerBins bins(grid_, here, linesHere(X, line, mayFold));
 
     scalarField others(here.size(), Zero);
     std::vector<std::pair<label, scalar>> touched; // line, largest share

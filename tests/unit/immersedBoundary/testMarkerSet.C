@@ -211,7 +211,7 @@ TEST_P(MarkerSet, countsLinesInOnePlace)
 
         markers.place(X);
         scalarField density;
-        markers.lineDensity(X, line, density);
+        markers.lineDensity(X, line, true, density);
         forAll(X, k)
         {
             // Where the one across touches them, and where nobody does. A box
@@ -241,7 +241,7 @@ TEST_P(MarkerSet, countsALineOnceUnlessItIsFolded)
         }
         markers.place(X);
         scalarField density;
-        markers.lineDensity(X, labelList(X.size(), 5), density);
+        markers.lineDensity(X, labelList(X.size(), 5), true, density);
         if (X.empty()) continue;
         if (folded)
             EXPECT_NEAR(density[0], 2, 1e-12);

@@ -20,6 +20,11 @@ Foam::weight::weight(const dictionary& dict, const bodyPoints&)
 void Foam::weight::add(const bodyPoints& body, const scalar,
                        vectorField& F) const
 {
+    if (body.volume > 0)
+    {
+        F += body.volume / F.size() * excess_;
+        return;
+    }
     if (!body.isSurface())
     {
         F += body.crossSection * body.lengths * excess_;

@@ -109,7 +109,7 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
     forAll(groups_, g)
     {
         if (resists() && takesPart(groups_[g]) && !surfaces_[g] &&
-            !groups_[g].directForcing())
+            groups_[g].forcing() == forcingType::none)
         {
             refuse(dict.parent(), "interactions",
                    "what resists the motion of filaments, with group " +

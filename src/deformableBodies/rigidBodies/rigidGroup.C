@@ -1,0 +1,344 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "rigidGroup.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryChecks.H"
+#include "judgedRatio.H"
+#include "mathematicalConstants.H"
+#include "weight.H"
+#include <cmath>
+
+namespace Foam
+{
+defineTypeNameAndDebug(rigidGroup, 0);
+addToRunTimeSelectionTable(bodyGroup, rigidGroup, dictionary);
+} // namespace Foam
+
+namespace
+{
+using namespace Foam;
+
+//- The integral of phi(s) phi(s - r) over s, for r >= 0 in cells
+scalar productOf(const deltaKernel& kernel, const scalar r)
+{
+    const label n = 60;
+    const scalar width = 2 * kernel.reach() / n;
+    scalar sum = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        const scalar s = -kernel.reach() + (i + 0.5) * width;
+        sum += width * kernel.phi(s) * kernel.phi(s - r);
+    }
+    return sum;
+}
+} // namespace
+
+Foam::rigidGroup::rigidGroup(const word& name, const dictionary& dict,
+                             const bodyScene& scene)
+    : bodyGroup(name, dict, scene),
+      shape_(readDict(dict, "shape", "type sphere; radius 1e-6;")),
+      h_(std::cbrt(scene.grid.cellVolume()))
+{
+    checkEntries(dict, {"type", "shape", "positions", "directions", "placement",
+                        "densityRatio", "gravity", "velocity",
+                        "angularVelocity", "nearField", "markerSpacing",
+                        "coupling", "restart", "outside"});
+    if (!twoWay())
+    {
+        refuse(dict, "coupling", alone() ? "none" : "oneWay",
+               "twoWay: what moves a rigid body is the force between it and "
+               "the fluid");
+    }
+    densityRatio_ = dict.found("densityRatio")
+                        ? readPositive(dict, "densityRatio", dimless)
+                        : 1;
+    const bool heavy = readGravity(dict);
+    if (heavy)
+    {
+        scene.forces.append(
+            new weight(name, (densityRatio_ - 1) * scene.rho * scene.g));
+    }
+    readMotion(dict);
+
+    const scalar spacing =
+        byAccuracy<scalar>(dict, "markerSpacing", 1.2, 1, 0.9);
+    if (spacing < 0.5 || spacing > 1.5)
+    {
+        refuse(dict, "markerSpacing", Foam::name(spacing), "0.5 to 1.5");
+    }
+    judgeSize(dict);
+    readNearField(dict, spacing);
+    makeMarkers(spacing);
+    readPlaces(dict, {shape_.semiAxes(), 0}, shape_.volume(), 0, shape_.axis());
+
+    scene_.effects.declare("rigid", true,
+                           Foam::name(nBodies()) + " rigid bodies, " +
+                               Foam::name(markers_.size()) + " markers each");
+    scene_.effects.declare("gravity", heavy,
+                           heavy ? "weight of the rigid bodies"
+                                 : "none on the bodies");
+}
+
+void Foam::rigidGroup::readMotion(const dictionary& dict)
+{
+    if (dict.found("velocity"))
+    {
+        velocity_ = Function1<vector>::New("velocity", dict);
+    }
+    if (dict.found("angularVelocity"))
+    {
+        angularVelocity_ = Function1<vector>::New("angularVelocity", dict);
+    }
+}
+
+void Foam::rigidGroup::judgeSize(const dictionary& dict) const
+{
+    const vector L(scene_.grid.length());
+    const scalar h = cmptMax(scene_.grid.h());
+    judge(dict, {{"shape", "radius/h", shape_.radius() / h, 1, 250, 2, 250,
+                  "a surface needs some cells to be one"},
+                 {"shape", "smallest semi-axis/h",
+                  cmptMin(shape_.semiAxes()) / h, 1, GREAT, 2, GREAT,
+                  "a surface needs some cells to be one"},
+                 {"shape", "diameter/side of the box",
+                  2 * cmptMax(shape_.semiAxes()) / cmptMin(L), 0, 1, 0, 0.7,
+                  "it meets its own image or both sides"}});
+}
+
+void Foam::rigidGroup::readNearField(const dictionary& dict,
+                                     const scalar spacing)
+{
+    enum choice
+    {
+        AUTO,
+        ON,
+        OFF
+    };
+    const choice wanted =
+        readEnum(Enum<choice>({{AUTO, "auto"}, {ON, "on"}, {OFF, "off"}}), dict,
+                 "nearField", AUTO);
+    const vector& h = scene_.grid.h();
+    string never;
+    if (cmptMax(h) > 1.001 * cmptMin(h))
+        never = "cells that are not cubes";
+    else if (!scene_.forceAtFaces)
+        never = "the solver takes the force as an average of each cell";
+    if (wanted == ON && !never.empty())
+    {
+        refuse(dict, "nearField", "on", "auto or off: " + never);
+    }
+    const bool on = wanted == ON || (wanted == AUTO && never.empty());
+    if (on)
+    {
+        nearField_.reset(new nearField(scene_.kernel.type(), h_, scene_.mu,
+                                       max(scalar(1), 1.43 * spacing) * h_));
+    }
+    if (!on && densityRatio_ < 1)
+    {
+        refuse(dict, "densityRatio", Foam::name(densityRatio_),
+               "1 and greater without the near field (" +
+                   (never.empty() ? string("nearField off") : never) +
+                   "): the exchange with a lighter body grows");
+    }
+    scene_.effects.declare(
+        "nearField", on,
+        on ? string("what the mesh withholds from rigid bodies")
+           : never.empty() ? string("off")
+                           : never);
+}
+
+// As many as make the spacing, and what they are to the kernel and to each other
+void Foam::rigidGroup::makeMarkers(const scalar spacing)
+{
+    const scalar inset =
+        nearField_ ? 0
+                   : (scene_.kernel.type() == deltaKernel::Roma3 ? 0.3 : 0.45) *
+                         h_;
+    const label n =
+        max(label(12),
+            label(std::ceil(shape_.area() / sqr(spacing * h_))));
+    shape_.points(n, inset, markers_, areas_);
+    shape_.points(n, 0, surface_, areas_);
+
+    // In cells of any direction: on average over three positions of the body
+    const scalar width = 2 * scene_.kernel.reach();
+    scalarField psi(200);
+    forAll(psi, i)
+    {
+        psi[i] = productOf(scene_.kernel, width * i / (psi.size() - 1));
+    }
+    overlap_.setSize(n, 0);
+    for (const vector& axis :
+         {vector(0, 0, 1), vector(1, 0, 1), vector(1, 1, 1)})
+    {
+        const vectorField X(turnTo(axis / mag(axis)) & markers_);
+        forAll(X, k)
+        {
+            for (const point& x : X)
+            {
+                scalar product = 1.0 / 3;
+                for (direction d = 0; d < 3 && product > 0; ++d)
+                {
+                    const scalar at = mag(x[d] - X[k][d]) / h_ / width;
+                    product *=
+                        at < 1 ? psi[label(at * (psi.size() - 1))] : 0;
+                }
+                overlap_[k] += product;
+            }
+        }
+    }
+
+    if (!nearField_) return;
+    vectorField u(n);
+    nearField_->velocity(markers_.cdata(),
+                         vectorField(n, vector(1, 0, 0)).cdata(), n, u.data());
+    for (const vector& v : u)
+    {
+        nearMobility_ = max(nearMobility_, v.x());
+    }
+}
+
+// Of the shape's own axes
+Foam::quaternion Foam::rigidGroup::turnOf(const label number) const
+{
+    return quaternion(
+        turnTo(directions_.empty() ? shape_.axis() : directions_[number]));
+}
+
+Foam::bodyPoints Foam::rigidGroup::pointsOf(const label number,
+                                            const point& centre,
+                                            const tensor& R, const vector& V,
+                                            const vector& W) const
+{
+    bodyPoints p{name(), number, R & surface_, vectorField(),
+                 R & areas_, scalarField(), 0, GREAT, shape_.volume()};
+    p.velocities = V + (W ^ p.places);
+    p.places += centre;
+    return p;
+}
+
+Foam::bodyPoints Foam::rigidGroup::points(const label i) const
+{
+    if (i < 0) return pointsOf(-1, Zero, turnTo(shape_.axis()), Zero, Zero);
+    const body& x = bodies_[i];
+    return pointsOf(mine()[i], x.centre, x.turn.R(), x.velocity,
+                    x.angularVelocity);
+}
+
+Foam::point Foam::rigidGroup::initialCentre(const label number) const
+{
+    return positions_[number];
+}
+
+Foam::bodyPoints Foam::rigidGroup::initialPoints(const label number) const
+{
+    return pointsOf(number, positions_[number], turnOf(number).R(), Zero, Zero);
+}
+
+Foam::boundBox Foam::rigidGroup::bounds(const label i, const bool) const
+{
+    const body& x = bodies_[i];
+    const tensor R(x.turn.R());
+    vector reach;
+    for (direction d = 0; d < 3; ++d)
+    {
+        reach[d] = mag(cmptMultiply(
+            vector(R(d, 0), R(d, 1), R(d, 2)), shape_.semiAxes()));
+    }
+    return boundBox(x.centre - reach, x.centre + reach);
+}
+
+void Foam::rigidGroup::insertBody(const label i, const label number)
+{
+    bodies_.insert(bodies_.begin() + i,
+                   body{positions_[number], turnOf(number), Zero, Zero, Zero,
+                        vectorField(markers_.size()),
+                        vectorField(markers_.size(), Zero),
+                        vectorField(markers_.size(), Zero), 0, 0});
+}
+
+void Foam::rigidGroup::eraseBody(const label i)
+{
+    bodies_.erase(bodies_.begin() + i);
+}
+
+void Foam::rigidGroup::checkStart(const label i, const dictionary& dict) const
+{
+    checkWalls(dict, mine()[i], bounds(i, true));
+}
+
+Foam::bodyGroup::identity Foam::rigidGroup::identify() const
+{
+    const vector& s = shape_.semiAxes();
+    return {{"semiAxis", s.x()},
+            {"semiAxis", s.y()},
+            {"semiAxis", s.z()},
+            {"markers", scalar(markers_.size())}};
+}
+
+Foam::scalarList Foam::rigidGroup::state(const label i) const
+{
+    const body& x = bodies_[i];
+    DynamicList<scalar> s;
+    const auto save = [&](const vector& v) { s.append({v.x(), v.y(), v.z()}); };
+    save(x.centre);
+    s.append(x.turn.w());
+    save(x.turn.v());
+    save(x.velocity);
+    save(x.angularVelocity);
+    save(x.spin);
+    s.append(x.slip);
+    s.append(x.dt);
+    for (const vectorField* field : {&x.forces, &x.U})
+    {
+        for (const vector& v : *field)
+        {
+            save(v);
+        }
+    }
+    return scalarList(std::move(s));
+}
+
+Foam::point Foam::rigidGroup::centreOf(const scalarList& state,
+                                       const label number,
+                                       const dictionary& source) const
+{
+    const label all = 18 + 6 * markers_.size();
+    if (state.size() != all)
+    {
+        FatalIOErrorInFunction(source)
+            << "the saved state of body " << number << " of group " << name()
+            << " has " << state.size() << " numbers where " << all
+            << " belong to its markers: was one of the entries shape, "
+            << "markerSpacing, accuracy or the size of the cells changed?"
+            << exit(FatalIOError);
+    }
+    return point(state[0], state[1], state[2]);
+}
+
+void Foam::rigidGroup::setState(const label i, const scalarList& state,
+                                const dictionary& source)
+{
+    body& x = bodies_[i];
+    x.centre = centreOf(state, mine()[i], source);
+    const scalar* at = state.cdata() + 3;
+    const auto read = [&]()
+    {
+        at += 3;
+        return vector(at[-3], at[-2], at[-1]);
+    };
+    x.turn.w() = *at++;
+    x.turn.v() = read();
+    x.velocity = read();
+    x.angularVelocity = read();
+    x.spin = read();
+    x.slip = *at++;
+    x.dt = *at++;
+    for (vectorField* field : {&x.forces, &x.U})
+    {
+        for (vector& v : *field)
+        {
+            v = read();
+        }
+    }
+}
