@@ -276,7 +276,9 @@ void Foam::bodyCollection::updateViscosity(const labelList& groups,
     {
         const bodyGroup& group = groups_[g];
         const label n = group.nMarkers();
-        const scalar more = group.viscosityRatio() - 1;
+        const scalar around =
+            group.host() < 0 ? 1 : groups_[group.host()].viscosityRatio();
+        const scalar more = group.viscosityRatio() - around;
         if (more != 0 && group.twoWay())
         {
             SubField<vector> dS(G, n, at);

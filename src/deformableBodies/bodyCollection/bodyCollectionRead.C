@@ -5,6 +5,7 @@
 #include "bodyCollection.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
+#include "mathematicalConstants.H"
 #include "uniformDimensionedFields.H"
 
 void Foam::bodyCollection::requireTimeSteps() const
@@ -58,6 +59,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                           placed_,
                           effects_};
     bool feedback = false, inFluid = false;
+    word nucleated; // a group, if any
     const dictionary& bodies =
         readDict(dict, "bodies", "cells { type capsule; ... }");
     if (bodies.empty()) refuse(dict, "bodies", "{}", "one group and more");
@@ -90,6 +92,21 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
         given_.append(entriesOf(group, notOfGroups));
         feedback = feedback || groups_.last().twoWay();
         inFluid = inFluid || !groups_.last().alone();
+        if (!group.found("nucleus")) continue;
+
+        const label host = groups_.size() - 1;
+        const word inside(name + "Nucleus");
+        if (bodies.found(inside))
+        {
+            refuse(bodies, inside, valueOf(*bodies.findEntry(inside)),
+                   "other names: the nuclei of " + name + " have this one");
+        }
+        const dictionary nuclei(nucleiOf(group, groups_[host]));
+        groups_.append(bodyGroup::New(inside, nuclei, scene).ptr());
+        groups_.last().putInto(host);
+        given_.append(entriesOf(nuclei, {"restart", "type", "positions"}));
+        effects_.declare("nucleus", true, "in group " + name);
+        nucleated = name;
     }
 
     // Samples of many bodies at each step would cost a good part of it
@@ -120,11 +137,17 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     readViscosityRatios(transport);
     given_.append(entriesOf(dict, {"FoamFile", "variables", "bodies", "restart",
                                    "removed", "sampleInterval", "wrap"}));
-    const dictionary& interactions =
-        readDictIfThere(dict, "interactions", "repulsion {}");
-    effects_.declare("interactions", !interactions.empty(),
-                     interactions.empty() ? "none given"
-                                          : "bodies that come close");
+    dictionary interactions(
+        readDictIfThere(dict, "interactions", "repulsion {}"));
+    string reason(interactions.empty() ? "none given"
+                                       : "bodies that come close");
+    if (!nucleated.empty() && !interactions.found("repulsion"))
+    {
+        interactions.add("repulsion", dictionary());
+        reason = "repulsion, which keeps the nuclei of " + nucleated +
+                 " inside and acts between all bodies";
+    }
+    effects_.declare("interactions", !interactions.empty(), reason);
     if (!interactions.empty())
     {
         interactions_.reset(
@@ -134,6 +157,66 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                      "bodies that leave their block or the box, or come close");
     readLoads(
         readDictIfThere(dict, "loads", "pull { type deadLoad; group ...; }"));
+}
+
+Foam::dictionary Foam::bodyCollection::nucleiOf(const dictionary& group,
+                                                 const bodyGroup& host)
+{
+    const dictionary& given =
+        readDict(group, "nucleus", "type rigid; radiusRatio 0.5;");
+    for (const word entry : {"shape", "positions", "directions", "placement"})
+    {
+        if (given.found(entry))
+        {
+            refuse(given, entry, valueOf(*given.findEntry(entry)),
+                   "radiusRatio and offset, which say how large a nucleus is "
+                   "and where in its capsule");
+        }
+    }
+    const bodyPoints surface(host.points(-1));
+    if (!surface.isSurface() || host.forcing() != forcingType::none)
+    {
+        refuse(group, "nucleus", valueOf(*group.findEntry("nucleus")),
+               "nuclei of capsules");
+    }
+    const scalar ratio = readPositive(given, "radiusRatio", dimless);
+    if (ratio >= 1)
+    {
+        refuse(given, "radiusRatio", Foam::name(ratio), "below 1");
+    }
+    const scalar radius =
+        ratio * std::cbrt(sum(surface.places & surface.areas) /
+                          (4 * constant::mathematical::pi));
+    const vector offset(given.getOrDefault<vector>("offset", Zero));
+    const scalar gap = min(mag(surface.places - offset)) - radius;
+    const vectorField r(surface.places - offset);
+    if (gap <= 0 || min(r & surface.areas) <= 0)
+    {
+        refuse(given, "radiusRatio",
+               Foam::name(ratio) + ", a radius of " + Foam::name(radius) + ",",
+               "nuclei inside the capsule, whose membrane comes as close as " +
+                   Foam::name(gap + radius) + " to their centre");
+    }
+
+    dictionary nuclei(given);
+    nuclei.remove("radiusRatio");
+    nuclei.remove("offset");
+    dictionary shape;
+    shape.add("type", word("sphere"));
+    shape.add("radius", radius);
+    nuclei.add("shape", shape);
+    pointField positions(host.nBodies());
+    forAll(positions, body)
+    {
+        // offset is along the axes of the box
+        positions[body] = intoBox(grid_, host.initialCentre(body) + offset);
+    }
+    nuclei.add("positions", positions);
+    if (group.found("outside"))
+    {
+        nuclei.add("outside", group.get<word>("outside"), true);
+    }
+    return nuclei;
 }
 
 void Foam::bodyCollection::readViscosityRatios(const dictionary& transport)

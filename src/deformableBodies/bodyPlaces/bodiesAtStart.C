@@ -159,6 +159,11 @@ void Foam::bodyPlaces::checkStart(const dictionary& dict) const
         apart += image;
         if (mag(apart) >= a.radius + b.radius) return;
         const bodyGroup &g = groups_[a.group], &k = groups_[b.group];
+        if (a.number == b.number &&
+            (g.host() == b.group || k.host() == a.group))
+        {
+            return;
+        }
         const bodyPoints p(g.initialPoints(a.number));
         bodyPoints q(k.initialPoints(b.number));
         q.places += image;

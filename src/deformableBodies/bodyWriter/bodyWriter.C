@@ -42,6 +42,16 @@ void Foam::bodyWriter::start()
 void Foam::bodyWriter::sample(const scalar now)
 {
     const auto timing(effects_.time("samples"));
+    List<List<scalarList>> rows(groups_.size());
+    List<std::vector<bodyColumn>> columns(groups_.size());
+    forAll(groups_, g)
+    {
+        const bodyGroup& group = groups_[g];
+        columns[g] = group.columns();
+        rows[g] = inOrder<scalarList>(
+            group, [&](const label i) { return group.sample(i); });
+        if (group.host() >= 0) addNuclei(columns, rows, g);
+    }
     if (Pstream::master() && files_.empty())
     {
         files_.setSize(groups_.size());
@@ -50,7 +60,7 @@ void Foam::bodyWriter::sample(const scalar now)
             files_.set(g, newResultFile(time_, region_ / "bodies",
                                         groups_[g].name() + ".dat"));
             std::string names("# time body"), units("# [s] [number]");
-            for (const bodyColumn& c : groups_[g].columns())
+            for (const bodyColumn& c : columns[g])
             {
                 names += " " + c.name;
                 units += " [" + c.unit + "]";
@@ -59,13 +69,8 @@ void Foam::bodyWriter::sample(const scalar now)
         }
     }
 
-    forAll(groups_, g)
+    for (label g = 0; Pstream::master() && g < groups_.size(); ++g)
     {
-        const bodyGroup& group = groups_[g];
-        const List<scalarList> rows(inOrder<scalarList>(
-            group, [&](const label i) { return group.sample(i); }));
-        if (!Pstream::master()) continue;
-
         std::string text;
         const auto add = [&](const char* format, const auto value)
         {
@@ -73,32 +78,62 @@ void Foam::bodyWriter::sample(const scalar now)
             std::snprintf(number, sizeof(number), format, value);
             text += number;
         };
-        forAll(rows, body)
+        forAll(rows[g], body)
         {
-            if (rows[body].empty()) continue; // it has been removed
+            if (rows[g][body].empty()) continue; // it has been removed
             add("%.10g", double(now));
             add(" %ld", long(body));
-            for (const scalar x : rows[body])
+            for (const scalar x : rows[g][body])
             {
                 add(" %.10g", double(x));
             }
             text += '\n';
         }
         files_[g].stdStream() << text << std::flush;
-        log(group, rows);
+        log(groups_[g].name(), columns[g], rows[g]);
     }
 }
 
-void Foam::bodyWriter::log(const bodyGroup& group, const List<scalarList>& rows)
+// Their places relative to the capsules, and their deformation
+void Foam::bodyWriter::addNuclei(List<std::vector<bodyColumn>>& columns,
+                                 List<List<scalarList>>& rows,
+                                 const label nuclei) const
+{
+    const label host = groups_[nuclei].host();
+    const std::vector<bodyColumn>& all = columns[nuclei];
+    size_t D = 0;
+    while (D < all.size() && all[D].name != "D")
+        ++D;
+    for (const word axis : {"X", "Y", "Z"})
+    {
+        columns[host].push_back({"nucleus" + axis, "m"});
+    }
+    columns[host].push_back({"nucleusD", "1"});
+    forAll(rows[host], body)
+    {
+        scalarList& row = rows[host][body];
+        const scalarList& inside = rows[nuclei][body];
+        if (row.empty()) continue;
+        for (direction d = 0; d < 3; ++d)
+        {
+            row.append(inside.empty() ? 0 : inside[d] - row[d]);
+        }
+        row.append(inside.empty() || D == all.size() ? 0 : inside[D]);
+    }
+}
+
+void Foam::bodyWriter::log(const word& name,
+                           const std::vector<bodyColumn>& columns,
+                           const List<scalarList>& rows)
 {
     label n = 0;
     for (const scalarList& row : rows)
     {
         if (row.size()) ++n; // else it has been removed
     }
-    Info << "Bodies " << group.name() << ": " << n;
+    Info << "Bodies " << name << ": " << n;
     label k = 0;
-    for (const bodyColumn& c : group.columns())
+    for (const bodyColumn& c : columns)
     {
         if (c.inLog && n > 0)
         {

@@ -24,7 +24,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                   "markerSpacing",  "shearPlane", "coupling",  "bending",
                   "viscosityRatio", "prestress",  "gravity",   "densityRatio",
                   "stressFree",     "motion",     "thickness", "filter",
-                  "nearField",      "restart",    "outside"});
+                  "nearField",      "restart",    "outside",   "nucleus"});
     if (dict.found("viscosityRatio"))
     {
         viscosityRatio_ = readPositive(dict, "viscosityRatio", dimless);

@@ -266,16 +266,29 @@ std::vector<Foam::bodyColumn> Foam::rigidGroup::columns() const
             {"torqueX", "N-m"},
             {"torqueY", "N-m"},
             {"torqueZ", "N-m"},
+            {"stressletXX", "N-m"},
+            {"stressletXY", "N-m"},
+            {"stressletXZ", "N-m"},
+            {"stressletYY", "N-m"},
+            {"stressletYZ", "N-m"},
+            {"stressletZZ", "N-m"},
             {"slip", "m/s", true}};
 }
 
-// Force and torque are those on the fluid
+// Force and torque are those on the fluid; the stresslet over the volume of the box
+// is the body's part of the stress
 Foam::scalarList Foam::rigidGroup::sample(const label i) const
 {
     const body& x = bodies_[i];
     const vector force(sum(x.forces));
-    const vector torque(
-        x.dt > 0 ? sum((x.markers - average(x.markers)) ^ x.forces) : Zero);
+    vector torque(Zero);
+    symmTensor stresslet(Zero);
+    for (label k = 0; x.dt > 0 && k < markers_.size(); ++k)
+    {
+        const vector r(x.markers[k] - x.centre);
+        torque += r ^ x.forces[k];
+        stresslet -= symm(r * x.forces[k]);
+    }
     scalarList values;
     for (const vector& v :
          {vector(x.centre), x.velocity, x.angularVelocity,
@@ -283,7 +296,9 @@ Foam::scalarList Foam::rigidGroup::sample(const label i) const
     {
         values.append(scalarList({v.x(), v.y(), v.z()}));
     }
-    values.append(x.slip);
+    values.append(scalarList({stresslet.xx(), stresslet.xy(), stresslet.xz(),
+                              stresslet.yy(), stresslet.yz(), stresslet.zz(),
+                              x.slip}));
     return values;
 }
 
