@@ -305,6 +305,14 @@ void Foam::bodyCollection::compareEntries(const dictionary& saved,
     }
 }
 
+const Foam::dictionary&
+Foam::bodyCollection::dictionaryOf(const label g, const dictionary& dict) const
+{
+    const label host = groups_[g].host();
+    return host < 0 ? dict.subDict("bodies").subDict(groups_[g].name())
+                    : dictionaryOf(host, dict).subDict("nucleus");
+}
+
 void Foam::bodyCollection::readState(const IOdictionary& dict)
 {
     const Time& time = mesh_.time();
@@ -316,8 +324,10 @@ void Foam::bodyCollection::readState(const IOdictionary& dict)
     forAll(groups_, g)
     {
         names[g] = groups_[g].name();
-        initial[g] = readEnum(words, dict.subDict("bodies").subDict(names[g]),
-                              "restart", all);
+        const label host = groups_[g].host();
+        initial[g] = host < 0 ? readEnum(words, dictionaryOf(g, dict),
+                                         "restart", all)
+                              : initial[host];
         any = any || !initial[g];
     }
 
@@ -389,7 +399,7 @@ void Foam::bodyCollection::readState(const IOdictionary& dict)
         if (found && !continues && groups_[g].placedAtRandom() &&
             initial.found(false))
         {
-            refuse(dict.subDict("bodies").subDict(names[g]), "placement",
+            refuse(dictionaryOf(g, dict), "placement",
                    "{...} in a group that starts while others go on",
                    "positions: random places know only where the others "
                    "started; or restart initial; for all");
@@ -397,7 +407,7 @@ void Foam::bodyCollection::readState(const IOdictionary& dict)
         ownership_->distribute(
             groups_[g],
             continues ? statesOf(groups_[g], saved) : List<scalarList>(),
-            continues ? saved : dict.subDict("bodies").subDict(names[g]));
+            continues ? saved : dictionaryOf(g, dict));
         if (time.value() > 0 && !continues)
         {
             Info << "Group " << names[g] << " starts from constant/"

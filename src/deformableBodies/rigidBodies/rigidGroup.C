@@ -270,9 +270,9 @@ void Foam::rigidGroup::checkStart(const label i, const dictionary& dict) const
 Foam::bodyGroup::identity Foam::rigidGroup::identify() const
 {
     const vector& s = shape_.semiAxes();
-    return {{"semiAxis", s.x()},
-            {"semiAxis", s.y()},
-            {"semiAxis", s.z()},
+    return {{"semiAxisX", s.x()},
+            {"semiAxisY", s.y()},
+            {"semiAxisZ", s.z()},
             {"markers", scalar(markers_.size())}};
 }
 

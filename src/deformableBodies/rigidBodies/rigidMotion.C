@@ -283,16 +283,17 @@ Foam::scalarList Foam::rigidGroup::sample(const label i) const
     const vector force(sum(x.forces));
     vector torque(Zero);
     symmTensor stresslet(Zero);
-    for (label k = 0; x.dt > 0 && k < markers_.size(); ++k)
+    const tensor R(x.turn.R());
+    forAll(markers_, k)
     {
-        const vector r(x.markers[k] - x.centre);
+        const vector r(R & markers_[k]);
         torque += r ^ x.forces[k];
         stresslet -= symm(r * x.forces[k]);
     }
     scalarList values;
     for (const vector& v :
          {vector(x.centre), x.velocity, x.angularVelocity,
-          vector(x.turn.R() & vector(0, 0, 1)), force, torque})
+          vector(R & vector(0, 0, 1)), force, torque})
     {
         values.append(scalarList({v.x(), v.y(), v.z()}));
     }
