@@ -188,9 +188,18 @@ Foam::dictionary Foam::bodyCollection::nucleiOf(const dictionary& group,
         ratio * std::cbrt(sum(surface.places & surface.areas) /
                           (4 * constant::mathematical::pi));
     const vector offset(given.getOrDefault<vector>("offset", Zero));
-    const scalar gap = min(mag(surface.places - offset)) - radius;
+
+    // To the plane of each point, where its nearest place belongs to the point
     const vectorField r(surface.places - offset);
-    if (gap <= 0 || min(r & surface.areas) <= 0)
+    const scalar patch = 2 * max(mag(surface.areas));
+    scalar gap = GREAT;
+    forAll(r, k)
+    {
+        const scalar toPlane = (r[k] & surface.areas[k]) / mag(surface.areas[k]);
+        const bool own = magSqr(r[k]) < sqr(toPlane) + patch;
+        gap = min(gap, (own ? toPlane : mag(r[k])) - radius);
+    }
+    if (gap <= 0)
     {
         refuse(given, "radiusRatio",
                Foam::name(ratio) + ", a radius of " + Foam::name(radius) + ",",
