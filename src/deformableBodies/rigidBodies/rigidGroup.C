@@ -61,7 +61,7 @@ Foam::rigidGroup::rigidGroup(const word& name, const dictionary& dict,
     readMotion(dict);
 
     const scalar spacing =
-        byAccuracy<scalar>(dict, "markerSpacing", 1.2, 1, 0.9);
+        byAccuracy<scalar>(dict, "markerSpacing", 1.5, 1.3, 1);
     if (spacing < 0.5 || spacing > 1.5)
     {
         refuse(dict, "markerSpacing", Foam::name(spacing), "0.5 to 1.5");
