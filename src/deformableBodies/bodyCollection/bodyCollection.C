@@ -146,7 +146,12 @@ Foam::scalar Foam::bodyCollection::maxDeltaT(string* reason) const
         {
             limit = groups_[g].maxDeltaT();
             if (reason)
-                *reason = "stiffest waves of group " + groups_[g].name();
+            {
+                *reason = (groups_[g].forcing() == forcingType::none
+                               ? "stiffest waves of group "
+                               : "bodies lighter than the fluid in group ") +
+                          groups_[g].name();
+            }
         }
     }
     return limit;

@@ -5,6 +5,7 @@
 #include "bodyCollection.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
+#include "judgedRatio.H"
 #include "mathematicalConstants.H"
 #include "uniformDimensionedFields.H"
 
@@ -63,7 +64,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     const dictionary& bodies =
         readDict(dict, "bodies", "cells { type capsule; ... }");
     if (bodies.empty()) refuse(dict, "bodies", "{}", "one group and more");
-    const wordList notOfGroups({"restart", "type"});
+    const wordList notOfGroups({"restart", "type", "nucleus"});
     for (const word& name : bodies.toc())
     {
         const dictionary* isGroup = bodies.findDict(name, keyType::LITERAL);
@@ -102,9 +103,11 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                    "other names: the nuclei of " + name + " have this one");
         }
         const dictionary nuclei(nucleiOf(group, groups_[host]));
-        groups_.append(bodyGroup::New(inside, nuclei, scene).ptr());
-        groups_.last().putInto(host);
-        given_.append(entriesOf(nuclei, {"restart", "type", "positions"}));
+        bodyScene within(scene);
+        within.mu *= groups_[host].viscosityRatio();
+        groups_.append(bodyGroup::New(inside, nuclei, within).ptr());
+        groups_.last().putInto(host, groups_[host]);
+        given_.append(entriesOf(nuclei, {"type", "positions"}));
         effects_.declare("nucleus", true, "in group " + name);
         nucleated = name;
     }
@@ -138,7 +141,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     given_.append(entriesOf(dict, {"FoamFile", "variables", "bodies", "restart",
                                    "removed", "sampleInterval", "wrap"}));
     dictionary interactions(
-        readDictIfThere(dict, "interactions", "repulsion {}"));
+        dict, readDictIfThere(dict, "interactions", "repulsion {}"));
     string reason(interactions.empty() ? "none given"
                                        : "bodies that come close");
     if (!nucleated.empty() && !interactions.found("repulsion"))
@@ -160,10 +163,28 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
 }
 
 Foam::dictionary Foam::bodyCollection::nucleiOf(const dictionary& group,
-                                                 const bodyGroup& host)
+                                                const bodyGroup& host)
 {
     const dictionary& given =
         readDict(group, "nucleus", "type rigid; radiusRatio 0.5;");
+    if (!host.twoWay())
+    {
+        refuse(group, "nucleus", valueOf(*group.findEntry("nucleus")),
+               "nuclei in groups of coupling twoWay");
+    }
+    const word type(given.get<word>("type"));
+    if (type != "rigid" && type != "capsule")
+    {
+        refuse(given, "type", type, "(rigid capsule)");
+    }
+    for (const word entry : {"restart", "outside", "nucleus", "coupling"})
+    {
+        if (given.found(entry))
+        {
+            refuse(given, entry, valueOf(*given.findEntry(entry)),
+                   "that of the capsules, for both");
+        }
+    }
     for (const word entry : {"shape", "positions", "directions", "placement"})
     {
         if (given.found(entry))
@@ -187,24 +208,35 @@ Foam::dictionary Foam::bodyCollection::nucleiOf(const dictionary& group,
     const scalar radius =
         ratio * std::cbrt(sum(surface.places & surface.areas) /
                           (4 * constant::mathematical::pi));
-    const vector offset(given.getOrDefault<vector>("offset", Zero));
+    judge(given, {{"radiusRatio", "radius of the nucleus/h",
+                   radius / cmptMax(grid_.h()), 1, GREAT, 2, GREAT,
+                   "a surface needs some cells to be one"}});
 
-    // To the plane of each point, where its nearest place belongs to the point
-    const vectorField r(surface.places - offset);
-    const scalar patch = 2 * max(mag(surface.areas));
-    scalar gap = GREAT;
-    forAll(r, k)
+    // offset is along the axes of the box, where each capsule may be turned
+    const vector offset(given.getOrDefault<vector>("offset", Zero));
+    pointField positions(host.nBodies());
+    forAll(positions, body)
     {
-        const scalar toPlane = (r[k] & surface.areas[k]) / mag(surface.areas[k]);
-        const bool own = magSqr(r[k]) < sqr(toPlane) + patch;
-        gap = min(gap, (own ? toPlane : mag(r[k])) - radius);
-    }
-    if (gap <= 0)
-    {
+        const point centre(host.initialCentre(body));
+        positions[body] = intoBox(grid_, centre + offset);
+        if (body > 0 && host.directions().empty()) continue;
+
+        // To the plane of each point, where its nearest place belongs to the point
+        const bodyPoints turned(host.initialPoints(body));
+        const scalar patch = 2 * max(mag(turned.areas));
+        scalar nearest = GREAT;
+        forAll(turned.places, k)
+        {
+            const vector r(turned.places[k] - centre - offset);
+            const scalar toPlane = (r & turned.areas[k]) / mag(turned.areas[k]);
+            const bool own = magSqr(r) < sqr(toPlane) + patch;
+            nearest = min(nearest, own ? toPlane : mag(r));
+        }
+        if (nearest > radius) continue;
         refuse(given, "radiusRatio",
                Foam::name(ratio) + ", a radius of " + Foam::name(radius) + ",",
                "nuclei inside the capsule, whose membrane comes as close as " +
-                   Foam::name(gap + radius) + " to their centre");
+                   Foam::name(nearest) + " to their centre");
     }
 
     dictionary nuclei(given);
@@ -214,13 +246,10 @@ Foam::dictionary Foam::bodyCollection::nucleiOf(const dictionary& group,
     shape.add("type", word("sphere"));
     shape.add("radius", radius);
     nuclei.add("shape", shape);
-    pointField positions(host.nBodies());
-    forAll(positions, body)
-    {
-        // offset is along the axes of the box
-        positions[body] = intoBox(grid_, host.initialCentre(body) + offset);
-    }
+    // As text: all digits
+    const unsigned precision = IOstream::defaultPrecision(17);
     nuclei.add("positions", positions);
+    IOstream::defaultPrecision(precision);
     if (group.found("outside"))
     {
         nuclei.add("outside", group.get<word>("outside"), true);

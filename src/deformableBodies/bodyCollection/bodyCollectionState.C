@@ -216,7 +216,9 @@ Foam::bodyCollection::statesOf(const bodyGroup& group,
             << "the state has " << what.c_str()
             << ", constant/deformableBodies " << now.c_str() << nl
             << "    allowed: the same bodies, or restart "
-            << "initial; in group " << name << " to start it from "
+            << "initial; in group "
+            << (group.host() < 0 ? name : groups_[group.host()].name())
+            << " to start it from "
             << "constant/deformableBodies" << exit(FatalIOError);
     };
     if (!saved.found(name)) differs("no group " + name, "has one");
@@ -325,9 +327,9 @@ void Foam::bodyCollection::readState(const IOdictionary& dict)
     {
         names[g] = groups_[g].name();
         const label host = groups_[g].host();
-        initial[g] = host < 0 ? readEnum(words, dictionaryOf(g, dict),
-                                         "restart", all)
-                              : initial[host];
+        initial[g] =
+            host < 0 ? readEnum(words, dictionaryOf(g, dict), "restart", all)
+                     : initial[host];
         any = any || !initial[g];
     }
 
@@ -404,10 +406,10 @@ void Foam::bodyCollection::readState(const IOdictionary& dict)
                    "positions: random places know only where the others "
                    "started; or restart initial; for all");
         }
-        ownership_->distribute(
-            groups_[g],
-            continues ? statesOf(groups_[g], saved) : List<scalarList>(),
-            continues ? saved : dictionaryOf(g, dict));
+        ownership_->distribute(groups_[g],
+                               continues ? statesOf(groups_[g], saved)
+                                         : List<scalarList>(),
+                               continues ? saved : dictionaryOf(g, dict));
         if (time.value() > 0 && !continues)
         {
             Info << "Group " << names[g] << " starts from constant/"

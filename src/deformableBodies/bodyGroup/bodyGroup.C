@@ -171,6 +171,23 @@ void Foam::bodyGroup::insert(const label body, const scalarList& state,
     checkStart(i, source);
 }
 
+void Foam::bodyGroup::putInto(const label host, const bodyGroup& group)
+{
+    host_ = host;
+    const vector L(scene_.grid.length());
+    forAll(positions_, body)
+    {
+        const vector away(positions_[body] - group.initialCentre(body));
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (scene_.grid.periodic(d))
+            {
+                positions_[body][d] -= L[d] * std::round(away[d] / L[d]);
+            }
+        }
+    }
+}
+
 Foam::scalarList Foam::bodyGroup::release(const label i)
 {
     const scalarList s(state(i));

@@ -66,7 +66,8 @@ Foam::bodyPlaces::bodyPlaces(const fvMesh& mesh, PtrList<bodyGroup>& groups,
     forAll(groups_, g)
     {
         firstBody_[g + 1] = firstBody_[g] + groups_[g].nBodies();
-        anyForcing_ = anyForcing_ || groups_[g].forcing() == forcingType::ofLines;
+        anyForcing_ =
+            anyForcing_ || groups_[g].forcing() == forcingType::ofLines;
         for (label h = 0; h <= g; ++h)
         {
             // Others share no force through the fluid
@@ -119,6 +120,43 @@ Foam::string Foam::bodyPlaces::look()
     return trouble;
 }
 
+// Nuclei go with their capsules, and capsules with their nuclei
+Foam::string Foam::bodyPlaces::removeOrphans()
+{
+    string removed;
+    forAll(groups_, g)
+    {
+        const label host = groups_[g].host();
+        if (host < 0) continue;
+        boolList there[2];
+        for (const label i : {0, 1})
+        {
+            const bodyGroup& group = groups_[i ? host : g];
+            there[i].setSize(group.nBodies(), false);
+            for (const label body : group.mine())
+            {
+                there[i][body] = true;
+            }
+            Pstream::listCombineGather(there[i], orEqOp<bool>());
+            Pstream::listCombineScatter(there[i]);
+        }
+        for (const label one : {g, host})
+        {
+            bodyGroup& group = groups_[one];
+            forAllReverse(group.mine(), i)
+            {
+                const label body = group.mine()[i];
+                if (there[0][body] && there[1][body]) continue;
+                removed += "Removed at time " + time_.timeName() + ": " +
+                           group.nameOf(i) + " with its " +
+                           (one == g ? "capsule" : "nucleus") + "\n";
+                group.release(i);
+            }
+        }
+    }
+    return removed;
+}
+
 Foam::string Foam::bodyPlaces::removeOutside()
 {
     string trouble, removed;
@@ -151,6 +189,7 @@ Foam::string Foam::bodyPlaces::removeOutside()
     }
     if (returnReduce(!removed.empty(), orOp<bool>()))
     {
+        removed += removeOrphans();
         List<string> all(Pstream::nProcs());
         all[Pstream::myProcNo()] = removed;
         Pstream::gatherList(all);

@@ -48,8 +48,8 @@ void Foam::bodyWriter::sample(const scalar now)
     {
         const bodyGroup& group = groups_[g];
         columns[g] = group.columns();
-        rows[g] = inOrder<scalarList>(
-            group, [&](const label i) { return group.sample(i); });
+        rows[g] = inOrder<scalarList>(group, [&](const label i)
+                                      { return group.sample(i); });
         if (group.host() >= 0) addNuclei(columns, rows, g);
     }
     if (Pstream::master() && files_.empty())

@@ -147,8 +147,8 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
         bending_.reset(
             new bending(bend, membrane_->harmonics(), radius_, initial));
     }
-    setMotion(dict);
     setNearField(dict, extent);
+    setMotion(dict);
     setFilter(dict);
 
     if (degree > moved)

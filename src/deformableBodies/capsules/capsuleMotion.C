@@ -21,8 +21,9 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
         0.5 * (1 + viscosityRatio_) * scene_.mu, radius_));
 
     // Of Adams-Bashforth 2 and the fastest harmonic; as the mesh smooths it, at
-    // least four times that is stable (tests/bench/stability)
-    maxDeltaT_ = 4 / stabilised_->fastest();
+    // least four times that is stable (tests/bench/stability), unless the near field
+    // gives it back
+    maxDeltaT_ = (nearField_ ? 1.5 : 4) / stabilised_->fastest();
 
     enum motionType
     {
@@ -116,7 +117,7 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
         never = "cells that are not cubes";
     else if (!scene_.forceAtFaces)
         never = "the solver takes the force as an average of each cell";
-    else if (penalty_)
+    else if (dict.getOrDefault<word>("motion", "auto") == "penalty")
         never = "motion penalty";
     if (wanted == ON && !never.empty())
     {

@@ -53,6 +53,11 @@ Foam::rigidGroup::rigidGroup(const word& name, const dictionary& dict,
                         ? readPositive(dict, "densityRatio", dimless)
                         : 1;
     const bool heavy = readGravity(dict);
+    if (heavy && densityRatio_ == 1)
+    {
+        refuse(dict, "gravity", "on",
+               "off, or a densityRatio other than 1 with it");
+    }
     if (heavy)
     {
         scene.forces.append(
@@ -95,14 +100,19 @@ void Foam::rigidGroup::judgeSize(const dictionary& dict) const
 {
     const vector L(scene_.grid.length());
     const scalar h = cmptMax(scene_.grid.h());
-    judge(dict, {{"shape", "radius/h", shape_.radius() / h, 1, 250, 2, 250,
-                  "a surface needs some cells to be one"},
-                 {"shape", "smallest semi-axis/h",
-                  cmptMin(shape_.semiAxes()) / h, 1, GREAT, 2, GREAT,
-                  "a surface needs some cells to be one"},
-                 {"shape", "diameter/side of the box",
-                  2 * cmptMax(shape_.semiAxes()) / cmptMin(L), 0, 1, 0, 0.7,
-                  "it meets its own image or both sides"}});
+    judge(dict,
+          {{"shape", "longest/shortest side of the cells",
+            h / cmptMin(scene_.grid.h()), 0, GREAT, 0, 1.25,
+            "the kernel is another in each direction, and drag and "
+            "rotation with it"},
+           {"shape", "radius/h", shape_.radius() / h, 1, 250, 2, 40,
+            "a surface needs some cells to be one, and the near field's "
+            "time grows with the fourth power of their number"},
+           {"shape", "smallest semi-axis/h", cmptMin(shape_.semiAxes()) / h, 1,
+            GREAT, 2, GREAT, "a surface needs some cells to be one"},
+           {"shape", "diameter/side of the box",
+            2 * cmptMax(shape_.semiAxes()) / cmptMin(L), 0, 1, 0, 0.7,
+            "it meets its own image or both sides"}});
 }
 
 void Foam::rigidGroup::readNearField(const dictionary& dict,
@@ -142,21 +152,21 @@ void Foam::rigidGroup::readNearField(const dictionary& dict,
     }
     scene_.effects.declare(
         "nearField", on,
-        on ? string("what the mesh withholds from rigid bodies")
-           : never.empty() ? string("off")
-                           : never);
+        on              ? string("what the mesh withholds from rigid bodies")
+        : never.empty() ? string("off")
+                        : never);
 }
 
 // As many as make the spacing, and what they are to the kernel and to each other
 void Foam::rigidGroup::makeMarkers(const scalar spacing)
 {
     const scalar inset =
-        nearField_ ? 0
-                   : (scene_.kernel.type() == deltaKernel::Roma3 ? 0.3 : 0.45) *
-                         h_;
+        nearField_
+            ? 0
+            : (scene_.kernel.type() == deltaKernel::Roma3 ? 0.3 : 0.45) * h_;
     const label n =
-        max(label(12),
-            label(std::ceil(shape_.area() / sqr(spacing * h_))));
+        2 * max(label(6),
+                label(std::ceil(0.5 * shape_.area() / sqr(spacing * h_))));
     shape_.points(n, inset, markers_, areas_);
     shape_.points(n, 0, surface_, areas_);
 
@@ -167,6 +177,8 @@ void Foam::rigidGroup::makeMarkers(const scalar spacing)
     {
         psi[i] = productOf(scene_.kernel, width * i / (psi.size() - 1));
     }
+    // The spiral rises along z
+    const scalar furthest = std::sqrt(3.0) * width * h_;
     overlap_.setSize(n, 0);
     for (const vector& axis :
          {vector(0, 0, 1), vector(1, 0, 1), vector(1, 1, 1)})
@@ -174,14 +186,15 @@ void Foam::rigidGroup::makeMarkers(const scalar spacing)
         const vectorField X(turnTo(axis / mag(axis)) & markers_);
         forAll(X, k)
         {
-            for (const point& x : X)
+            forAll(X, l)
             {
+                if (mag(markers_[l].z() - markers_[k].z()) > furthest) continue;
+                const point& x = X[l];
                 scalar product = 1.0 / 3;
                 for (direction d = 0; d < 3 && product > 0; ++d)
                 {
                     const scalar at = mag(x[d] - X[k][d]) / h_ / width;
-                    product *=
-                        at < 1 ? psi[label(at * (psi.size() - 1))] : 0;
+                    product *= at < 1 ? psi[label(at * (psi.size() - 1))] : 0;
                 }
                 overlap_[k] += product;
             }
@@ -190,11 +203,17 @@ void Foam::rigidGroup::makeMarkers(const scalar spacing)
 
     if (!nearField_) return;
     vectorField u(n);
-    nearField_->velocity(markers_.cdata(),
-                         vectorField(n, vector(1, 0, 0)).cdata(), n, u.data());
-    for (const vector& v : u)
+    for (direction d = 0; d < 3; ++d)
     {
-        nearMobility_ = max(nearMobility_, v.x());
+        vector push(Zero);
+        push[d] = 1;
+        nearField_->velocity(markers_.cdata(), vectorField(n, push).cdata(), n,
+                             u.data());
+        for (const vector& v : u)
+        {
+            nearMobility_ = max(nearMobility_, v[d]);
+            meanNearMobility_ += v[d] / (3 * n);
+        }
     }
 }
 
@@ -210,8 +229,9 @@ Foam::bodyPoints Foam::rigidGroup::pointsOf(const label number,
                                             const tensor& R, const vector& V,
                                             const vector& W) const
 {
-    bodyPoints p{name(), number, R & surface_, vectorField(),
-                 R & areas_, scalarField(), 0, GREAT, shape_.volume()};
+    bodyPoints p{
+        name(),        number, R & surface_, vectorField(),  R & areas_,
+        scalarField(), 0,      GREAT,        shape_.volume()};
     p.velocities = V + (W ^ p.places);
     p.places += centre;
     return p;
@@ -242,8 +262,8 @@ Foam::boundBox Foam::rigidGroup::bounds(const label i, const bool) const
     vector reach;
     for (direction d = 0; d < 3; ++d)
     {
-        reach[d] = mag(cmptMultiply(
-            vector(R(d, 0), R(d, 1), R(d, 2)), shape_.semiAxes()));
+        reach[d] = mag(
+            cmptMultiply(vector(R(d, 0), R(d, 1), R(d, 2)), shape_.semiAxes()));
     }
     return boundBox(x.centre - reach, x.centre + reach);
 }
@@ -252,7 +272,7 @@ void Foam::rigidGroup::insertBody(const label i, const label number)
 {
     bodies_.insert(bodies_.begin() + i,
                    body{positions_[number], turnOf(number), Zero, Zero, Zero,
-                        vectorField(markers_.size()),
+                        vectorField(markers_.size(), positions_[number]),
                         vectorField(markers_.size(), Zero),
                         vectorField(markers_.size(), Zero), 0, 0});
 }

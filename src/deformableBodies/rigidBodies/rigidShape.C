@@ -44,7 +44,8 @@ class spiral
         {
             for (label i = 0; i < n; ++i)
             {
-                sums_.push_back(sums_.back() + step_ * f(a + (i + 0.5) * step_));
+                sums_.push_back(sums_.back() +
+                                step_ * f(a + (i + 0.5) * step_));
             }
         }
 
@@ -66,7 +67,8 @@ class spiral
     cumulative ring(const scalar z) const
     {
         return cumulative(0, 2 * pi, 64,
-                          [&](const scalar p) { return density(direction(z, p)); });
+                          [&](const scalar p)
+                          { return density(direction(z, p)); });
     }
 
     cumulative rings() const
@@ -88,10 +90,11 @@ public:
         const scalar golden = 0.5 * (std::sqrt(5.0) - 1);
         const cumulative all(rings());
         vectorField e(n);
-        forAll(e, k)
+        for (label k = 0; k < n / 2; ++k)
         {
             const scalar z = all.at((k + 0.5) / n), turns = golden * k;
             e[k] = direction(z, ring(z).at(turns - std::floor(turns)));
+            e[n - 1 - k] = -e[k];
         }
         return e;
     }
@@ -152,12 +155,10 @@ void Foam::rigidShape::points(const label n, const scalar inset, vectorField& X,
     const vector inner(semiAxes_ - inset * vector::one);
     const vectorField e(spiral(inner).points(n));
     X = cmptMultiply(e, inner);
-    X -= average(X);
 
-    // Normals of the surface itself, then what is left of the sums
+    // Normals of the surface itself, then what is left of the sum
     dS = cmptDivide(e, semiAxes_);
     dS *= area() / n / mag(dS);
-    dS -= average(dS);
     tensor sum(Zero);
     forAll(dS, k)
     {

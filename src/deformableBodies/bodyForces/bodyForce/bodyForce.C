@@ -25,13 +25,17 @@ Foam::autoPtr<Foam::bodyForce> Foam::bodyForce::New(const dictionary& dict,
 void Foam::bodyForce::needSurface(const dictionary& dict,
                                   const bodyPoints& body)
 {
-    if (body.isSurface()) return;
+    if (body.isSurface() && body.volume == 0) return;
     refuse(dict, "type", dict.get<word>("type"),
-           "(deadLoad followerLoad) on filaments");
+           body.isSurface()
+               ? "gravity and prescribed velocities of rigid bodies"
+               : "(deadLoad followerLoad) on filaments");
 }
 
 void Foam::bodyForce::needLine(const dictionary& dict, const bodyPoints& body)
 {
     if (!body.isSurface()) return;
-    refuse(dict, "type", dict.get<word>("type"), "(pointPair) on capsules");
+    refuse(dict, "type", dict.get<word>("type"),
+           body.volume > 0 ? "gravity and prescribed velocities of rigid bodies"
+                           : "(pointPair) on capsules");
 }
