@@ -127,8 +127,14 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
     // Where it is not known to be better
     const scalar inertia = scene_.rho * membrane_->model().shearModulus() *
                            sqr(h.x() / scene_.mu) / radius_;
+    const scalar step = scene_.deltaT * membrane_->model().shearModulus() /
+                        (scene_.mu * radius_);
     string unknown;
-    if (inertia > maxInertia)
+    if (radius_ < 2.5 * h.x() && step > 0.8)
+        unknown = "deltaT Gs/(mu a) = " + Foam::name(step) + " at radius/h = " +
+                  Foam::name(radius_ / h.x()) +
+                  ", stable up to 0.8, or from radius/h = 2.5 on";
+    else if (inertia > maxInertia)
         unknown = "rho Gs h^2/(mu^2 a) = " + Foam::name(inertia) +
                   ", known up to " + Foam::name(maxInertia);
     else if (viscosityRatio_ > maxViscosityRatio)
