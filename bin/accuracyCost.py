@@ -17,7 +17,7 @@ setExprFields where it has their dictionaries. Runs that are done are kept: afte
 What can be varied, coarse values first or in any order:
     any entry of constant/scene, where the case has that file (dt, cells, ...)
     cells           along the first direction of blockMeshDict, the others in proportion
-    deltaT, maxCo, endTime                     in system/controlDict
+    deltaT, maxCo                              in system/controlDict
     kernel, accuracy                           in constant/deformableBodies
     harmonics, markerSpacing, nearField, motion, segments, scheme
                                                in each group that may have them
@@ -141,7 +141,7 @@ def copyCase(case, folder):
 class Runs:
     def __init__(self, options):
         self.case, self.out = os.path.abspath(options.case), options.out
-        self.quantity, self.group = options.quantity, options.group
+        self.quantity, self.group, self.always = options.quantity, options.group, options.always
         self.started, self.budget = time.time(), seconds(options.budget) if options.budget else math.inf
         self.running = set()
 
@@ -175,17 +175,18 @@ class Runs:
 
     def run(self, label, setting):
         """Result of one run, from an earlier command or made now."""
+        changes = self.always + ([setting] if setting else [])
         folder = os.path.join(self.out, "runs", re.sub(r"[^A-Za-z0-9_.=+-]", "_", label))
         record = os.path.join(folder, "done.json")
         if os.path.isfile(record):
             result = json.load(open(record))
-            if result["setting"] == list(setting or []):
+            if result["changes"] == [list(c) for c in changes]:
                 value, name, end = self.read(folder)
                 return dict(result, value=value, quantity=name, time=end)
         shutil.rmtree(folder, ignore_errors=True)
         copyCase(self.case, folder)
-        if setting:
-            change(folder, *setting)
+        for name, value in changes:
+            change(folder, name, value)
         if os.path.isdir(folder + "/0.orig"):
             # Fields of the case may be those of another mesh
             shutil.rmtree(folder + "/0", ignore_errors=True)
@@ -217,7 +218,7 @@ class Runs:
                     program, " ".join(found[1].split()) if found else "status %d" % status, log.name))
         value, name, end = self.read(folder)
         times = re.findall(r"ExecutionTime = ([0-9.]+) s", text)
-        result = {"setting": list(setting or []), "seconds": float(times[-1]) if times else math.nan}
+        result = {"changes": changes, "seconds": float(times[-1]) if times else math.nan}
         with open(record + ".part", "w") as f:
             json.dump(result, f)
         os.rename(record + ".part", record)
@@ -269,6 +270,8 @@ def main():
     parser.add_argument("case", help="folder of a case that runs")
     parser.add_argument("--vary", action="append", default=[], metavar="NAME=V1,V2,...",
                         help="a setting and its values; may be given several times")
+    parser.add_argument("--set", action="append", default=[], dest="always", metavar="NAME=VALUE",
+                        help="another value in all runs, such as endTime=0.5")
     parser.add_argument("--quantity", help="column of a .dat file of the bodies, at the last time, on average "
                         "over the bodies (default: the first there is of " + " ".join(quantities) + ")")
     parser.add_argument("--group", help="of this group of bodies")
@@ -285,12 +288,18 @@ def main():
         die("--out %s lies in the case, which is not touched: run it elsewhere" % options.out)
     if options.jobs < 1:
         die("--jobs is %d, allowed: 1 and greater" % options.jobs)
+    for given in options.always:
+        if not re.fullmatch("[^=]+=[^=]+", given):
+            die("--set is '%s', allowed: a name and a value, such as endTime=0.5" % given)
+    options.always = [tuple(given.split("=")) for given in options.always]
     knobs = {}
     for vary in options.vary:
         name, _, values = vary.partition("=")
         values = [v for v in values.split(",") if v]
         if not name or len(values) < 2:
             die("--vary is '%s', allowed: a name and two values or more, such as harmonics=8,12,16" % vary)
+        if name == "endTime":
+            die("endTime says what is looked at, not how exactly: --set endTime=... changes it in all runs")
         if name in knobs:
             die("--vary has %s twice" % name)
         knobs[name] = ordered(name, values)
@@ -343,8 +352,9 @@ def main():
         if len(levels) < 2:
             print("%s: fewer than two of its values ran; no error can be told" % name)
             continue
-        if len({r["time"] for _, r in levels} | {base["time"]}) > 1:
-            print("Warning: runs of %s end at different times; their values cannot be compared" % name)
+        if any(abs(r["time"] - base["time"]) > 1e-6 * abs(base["time"]) for _, r in levels):
+            print("%s: its runs end at different times; their values cannot be compared" % name)
+            continue
         limits[name] = (*limitOf(name, [(v, r["value"]) for v, r in levels]), levels)
     if not limits:
         die("no setting has two values that ran")
