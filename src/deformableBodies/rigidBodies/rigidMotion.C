@@ -6,6 +6,17 @@
 #include "mathematicalConstants.H"
 #include <Eigen/LU>
 
+namespace
+{
+//- Rotation by the length of a vector about it
+Foam::quaternion rotation(const Foam::vector& angle)
+{
+    return Foam::mag(angle) > 0
+               ? Foam::quaternion(angle / Foam::mag(angle), Foam::mag(angle))
+               : Foam::quaternion::I;
+}
+} // namespace
+
 Foam::label Foam::rigidGroup::nMarkers() const
 {
     return bodies_.size() * markers_.size();
@@ -28,11 +39,8 @@ void Foam::rigidGroup::markers(vector* X, const scalar dt)
         }
         else
         {
-            const vector angle(dt * x.angularVelocity);
-            const quaternion onward(
-                mag(angle) > 0 ? quaternion(angle / mag(angle), mag(angle))
-                               : quaternion::I);
-            x.markers += (onward * x.turn).R() & markers_;
+            x.markers +=
+                (rotation(dt * x.angularVelocity) * x.turn).R() & markers_;
         }
         X = std::copy(x.markers.begin(), x.markers.end(), X);
     }
@@ -131,7 +139,7 @@ Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
     return trouble;
 }
 
-// Six equations, divided by what makes them of one size
+// Six equations for V and W at the end of the step: see the header
 void Foam::rigidGroup::advance(body& x, const vectorField& U,
                                const scalarField& gain, const vector& force,
                                const vector& torque, const bodyStep& s)
@@ -232,12 +240,8 @@ void Foam::rigidGroup::advance(body& x, const vectorField& U,
         x.forces[k] += gain[k] * (V + (W ^ r[k]) - U[k] + ofMean);
     }
     x.spin += follows * ((inertia & W) - x.spin);
-    const vector angle(0.5 * s.dt * (x.angularVelocity + W));
-    if (mag(angle) > 0)
-    {
-        x.turn = quaternion(angle / mag(angle), mag(angle)) * x.turn;
-        x.turn /= mag(x.turn);
-    }
+    x.turn = rotation(0.5 * s.dt * (x.angularVelocity + W)) * x.turn;
+    x.turn /= mag(x.turn);
     x.centre += 0.5 * s.dt * (x.velocity + V);
     x.velocity = V;
     x.angularVelocity = W;
