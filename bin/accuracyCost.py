@@ -87,7 +87,12 @@ def put(folder, file, entry, value):
 
 
 def change(folder, name, value):
-    """Give one setting its value in a copied case."""
+    """Give one setting its value in a copied case; None takes <file>:<entry> out."""
+    if value is None:
+        file, entry = name.split(":", 1)
+        if dictionary(os.path.join(folder, file), "-entry", entry, "-remove") is None:
+            raise Failed("%s has no entry %s" % (file, entry))
+        return
     scene = os.path.join(folder, "constant/scene")
     if os.path.isfile(scene):
         text = open(scene).read()
@@ -145,6 +150,15 @@ class Runs:
         self.started, self.budget = time.time(), seconds(options.budget) if options.budget else math.inf
         self.running = set()
 
+    def endWithSignals(self):
+        """Programs do not outlive a signal."""
+        def stop(*_):
+            for process in list(self.running):
+                os.killpg(process.pid, signal.SIGKILL)
+            os._exit(130)
+        signal.signal(signal.SIGTERM, stop)
+        signal.signal(signal.SIGINT, stop)
+
     def left(self):
         return self.budget - (time.time() - self.started)
 
@@ -164,25 +178,27 @@ class Runs:
             name = next((q for q in wanted if q in names[2:]), None)
             if name is None:
                 continue
-            rows = [r.split() for r in open(file) if r[0] != "#"]
-            last = [float(r[names.index(name)]) for r in rows if r[0] == rows[-1][0]]
-            value = sum(last) / len(last)
-            if not math.isfinite(value):
+            at = {}
+            for r in (line.split() for line in open(file) if line[0] != "#"):
+                at.setdefault(float(r[0]), []).append(float(r[names.index(name)]))
+            at = {t: sum(v) / len(v) for t, v in at.items()}
+            if len(at) < 2:
+                raise Failed("%s has one sample only: a later endTime, or sampleInterval 1" % os.path.basename(file))
+            if not math.isfinite(at[max(at)]):
                 raise Failed("%s is not a number" % name)
-            return value, name, float(rows[-1][0])
+            return {"value": at[max(at)], "quantity": name, "time": max(at), "values": at}
         raise Failed("there is no quantity '%s'%s, allowed: %s" % (
             self.quantity, " of group " + self.group if self.group else "", " ".join(dict.fromkeys(seen))))
 
     def run(self, label, setting):
         """Result of one run, from an earlier command or made now."""
-        changes = self.always + ([setting] if setting else [])
+        changes = self.always + (setting if isinstance(setting, list) else [setting] if setting else [])
         folder = os.path.join(self.out, "runs", re.sub(r"[^A-Za-z0-9_.=+-]", "_", label))
         record = os.path.join(folder, "done.json")
         if os.path.isfile(record):
             result = json.load(open(record))
             if result["changes"] == [list(c) for c in changes]:
-                value, name, end = self.read(folder)
-                return dict(result, value=value, quantity=name, time=end)
+                return dict(result, **self.read(folder))
         shutil.rmtree(folder, ignore_errors=True)
         copyCase(self.case, folder)
         for name, value in changes:
@@ -216,13 +232,27 @@ class Runs:
                 found = re.search(r"FOAM FATAL[^\n]*\n(.*?)\n\s*\n", text, re.S)
                 raise Failed("%s stopped: %s (%s)" % (
                     program, " ".join(found[1].split()) if found else "status %d" % status, log.name))
-        value, name, end = self.read(folder)
+        found = self.read(folder)
+        # In hundredths
         times = re.findall(r"ExecutionTime = ([0-9.]+) s", text)
-        result = {"changes": changes, "seconds": float(times[-1]) if times else math.nan}
+        result = {"changes": changes, "seconds": max(0.01, float(times[-1])) if times else math.nan}
         with open(record + ".part", "w") as f:
             json.dump(result, f)
         os.rename(record + ".part", record)
-        return dict(result, value=value, quantity=name, time=end)
+        return dict(result, **found)
+
+
+def atOneTime(results):
+    """The values of all runs at the last time that all of them have samples of."""
+    common = None
+    for r in results:
+        times = {round(t, 12): t for t in r["values"]}
+        common = set(times) if common is None else common & set(times)
+    if not common or max(common) <= min(min(r["values"]) for r in results):
+        die("the runs have samples at no common time: sampleInterval 1, or steps that divide each other")
+    for r in results:
+        r["time"] = max(common)
+        r["value"] = next(v for t, v in r["values"].items() if round(t, 12) == r["time"])
 
 
 def number(text):
@@ -253,7 +283,7 @@ def limitOf(name, levels):
         if d2 != 0 and d1 / d2 > 1:
             # d1/d2 = (h0^p - h1^p)/(h1^p - h2^p) by bisection
             f = lambda p: (h[0]**p - h[1]**p) / (h[1]**p - h[2]**p) - d1 / d2
-            low, high = 0.3, 8.0
+            low, high = 0.3, 5.0
             if f(low) * f(high) < 0:
                 for _ in range(80):
                     middle = 0.5 * (low + high)
@@ -330,14 +360,7 @@ def main():
             done, len(jobs), job[0], text, clock(spent / done * (len(jobs) - done))), flush=True)
         (results if result else failures)[job[0]] = result or failure
 
-    # Ended by a signal, programs go with it
-    def stop(*_):
-        for process in list(runs.running):
-            os.killpg(process.pid, signal.SIGKILL)
-        os._exit(130)
-    signal.signal(signal.SIGTERM, stop)
-    signal.signal(signal.SIGINT, stop)
-
+    runs.endWithSignals()
     report(*one(jobs[0]))
     if "base" in failures:
         die("the case as it stands does not run: " + failures["base"])
@@ -346,14 +369,12 @@ def main():
             report(*outcome)
 
     # Limits of each setting, then errors
+    atOneTime(list(results.values()))
     base, rows, limits = results["base"], [], {}
     for name, values in knobs.items():
         levels = [(v, results["%s=%s" % (name, v)]) for v in values if "%s=%s" % (name, v) in results]
         if len(levels) < 2:
             print("%s: fewer than two of its values ran; no error can be told" % name)
-            continue
-        if any(abs(r["time"] - base["time"]) > 1e-6 * abs(base["time"]) for _, r in levels):
-            print("%s: its runs end at different times; their values cannot be compared" % name)
             continue
         limits[name] = (*limitOf(name, [(v, r["value"]) for v, r in levels]), levels)
     if not limits:
@@ -423,4 +444,5 @@ def draw(file, base, limits, rows, scale):
     figure.savefig(file, dpi=100)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -106,7 +106,14 @@ Foam::bodyCollection::~bodyCollection()
     // Nothing was simulated in post-processing
     if (lastMoved_ < 0) return;
     effects_.printCost();
-    if (Pstream::parRun() && !empty())
+    if (empty()) return;
+    Info << "Error indicators at the end (largest over the bodies)" << nl;
+    forAll(groups_, g)
+    {
+        judgeIndicators(groups_[g].name(), groups_[g].indicators());
+    }
+    Info << endl;
+    if (Pstream::parRun())
     {
         Info << "Bodies handed over between ranks: " << ownership_->handedOver()
              << nl << endl;
@@ -160,7 +167,15 @@ Foam::scalar Foam::bodyCollection::maxDeltaT(string* reason) const
 void Foam::bodyCollection::describe() const
 {
     effects_.printEffects();
-    if (!empty()) printSceneNumbers(mesh_, rho_, nu_, groups_);
+    if (empty()) return;
+    const flowScales flow(printSceneNumbers(mesh_, rho_, nu_, groups_));
+    List<expectedErrors> errors(groups_.size());
+    forAll(groups_, g)
+    {
+        errors[g] = groups_[g].errors(flow);
+    }
+    judgeErrors(errors, accuracy_.wanted,
+                mesh_.time().constant() / "deformableBodies");
 }
 
 void Foam::bodyCollection::start()

@@ -46,6 +46,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     ownership_.reset(new bodyOwnership(*neighbours_));
     markers_.reset(new markerSet(grid_, deltaKernel(dict), *neighbours_));
 
+    accuracy_ = bodyAccuracy(dict);
     const bodyScene scene{grid_,
                           markers_->kernel(),
                           solverBalances_,
@@ -53,7 +54,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                           rho_ * nu_,
                           readGravity(),
                           expectedDeltaT(),
-                          readAccuracy(dict),
+                          accuracy_,
                           readCoupling(dict, bodyCoupling::twoWay),
                           removesOutside(dict, false),
                           forces_,

@@ -3,6 +3,7 @@
 #include "bodyGroup.H"
 #include "dictionaryChecks.H"
 #include "placement.H"
+#include "weight.H"
 #include <algorithm>
 
 namespace Foam
@@ -18,15 +19,6 @@ Foam::bodyCoupling Foam::readCoupling(const dictionary& dict,
                                         {bodyCoupling::oneWay, "oneWay"},
                                         {bodyCoupling::twoWay, "twoWay"}}),
                     dict, "coupling", otherwise);
-}
-
-Foam::bodyAccuracy Foam::readAccuracy(const dictionary& dict)
-{
-    return readEnum(
-        Enum<bodyAccuracy>({{bodyAccuracy::draft, "draft"},
-                            {bodyAccuracy::standard, "standard"},
-                            {bodyAccuracy::reference, "reference"}}),
-        dict, "accuracy", bodyAccuracy::standard);
 }
 
 bool Foam::removesOutside(const dictionary& dict, const bool otherwise)
@@ -123,6 +115,20 @@ bool Foam::bodyGroup::readGravity(const dictionary& dict) const
         refuse(dict, "gravity", "on", "off, or a file constant/g with a value");
     }
     return on;
+}
+
+void Foam::bodyGroup::addWeight(const bool on, const scalar excess)
+{
+    const bool acts = on && excess != 0;
+    if (acts)
+    {
+        scene_.forces.append(
+            new weight(name_, excess * scene_.rho * scene_.g));
+    }
+    scene_.effects.declare("gravity", acts,
+                           acts ? "weight of " + name_
+                           : on ? "as heavy as the fluid"
+                                : "none on the bodies");
 }
 
 void Foam::bodyGroup::checkWalls(const dictionary& dict, const label body,

@@ -5,7 +5,6 @@
 #include "dictionaryChecks.H"
 #include "initialShape.H"
 #include "judgedRatio.H"
-#include "weight.H"
 #include <cmath>
 
 namespace Foam
@@ -38,10 +37,13 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
 
     const dictionary& shape =
         readDict(dict, "shape", "type sphere; radius 1e-6;");
+    const word form(shape.get<word>("type"));
+    round_ = form == "sphere" || form == "ellipsoid";
     const label moved = degreeOfMesh(shape);
     const label degree = dict.getOrDefault<label>(
         "harmonics",
-        min(moved, byAccuracy<label>(dict, "harmonics", 12, 16, 24)));
+        min(moved, byAccuracy<label>(dict, "harmonics", {12, 16, 24},
+                                     enoughHarmonics)));
     if (degree < 4 || degree > 64)
     {
         refuse(dict, "harmonics", Foam::name(degree), "4 to 64");
@@ -52,7 +54,8 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
         refuse(dict, "dealiasing", Foam::name(dealiasing), "1 to 4");
     }
     const scalar spacing =
-        byAccuracy<scalar>(dict, "markerSpacing", 1, 0.9, 0.6);
+        byAccuracy<scalar>(dict, "markerSpacing", {1, 0.9, 0.6},
+                           [](scalar) { return 1; });
     if (spacing < 0.1 || spacing > 1)
     {
         refuse(dict, "markerSpacing", Foam::name(spacing), "0.1 to 1");
@@ -67,18 +70,14 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                heavy ? "off, or a densityRatio with it"
                      : "on with a densityRatio");
     }
-    if (heavy)
+    if (heavy && !twoWay())
     {
-        const scalar ratio = readPositive(dict, "densityRatio", dimless);
-        if (!twoWay())
-        {
-            refuse(dict, "gravity", "on",
-                   "off with coupling oneWay: a capsule that the fluid does "
-                   "not feel is carried, whatever its weight");
-        }
-        scene.forces.append(
-            new weight(name, (ratio - 1) * scene.rho * scene.g));
+        refuse(dict, "gravity", "on",
+               "off with coupling oneWay: a capsule that the fluid does not "
+               "feel is carried, whatever its weight");
     }
+    addWeight(heavy,
+              heavy ? readPositive(dict, "densityRatio", dimless) - 1 : 0);
 
     // The first shape, about the origin, from values on a dense grid
     const sphericalHarmonics fine(degree, 2 * degree + 2);
@@ -175,11 +174,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     scene_.effects.declare("bending", bool(bending_),
                            bending_
                                ? "modulus " + Foam::name(bending_->modulus())
-                               : string("no bending modulus given"));
-    scene_.effects.declare("gravity", heavy,
-                           heavy ? "weight of the filling"
-                                 : "none on the bodies");
-}
+                               : string("no bending modulus given"));}
 
 // The ellipsoid around the shape: that of the shape's extents about its own axis,
 // grown in proportion until all points are in it
@@ -257,10 +252,9 @@ Foam::label Foam::capsuleGroup::degreeOfMesh(const dictionary& shape) const
         volume += grid.weight(k) / 3 * (at(x, k) & (at(t, k) ^ at(p, k)));
     }
     const scalar a = std::cbrt(0.75 / constant::mathematical::pi * mag(volume));
-    const word type(shape.get<word>("type"));
-    const label shapely = type == "sphere" || type == "ellipsoid" ? 6 : 12;
-    return max(shapely, label(min(scalar(64),
-                                  2.4 * a / cmptMax(scene_.grid.h()) + 0.5)));
+    return max(label(round_ ? 6 : 12),
+               label(min(scalar(64),
+                         2.4 * a / cmptMax(scene_.grid.h()) + 0.5)));
 }
 
 void Foam::capsuleGroup::judgeSize(const dictionary& dict) const

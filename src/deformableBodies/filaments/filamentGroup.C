@@ -6,7 +6,6 @@
 #include "judgedRatio.H"
 #include "markerLine.H"
 #include "mathematicalConstants.H"
-#include "weight.H"
 #include <cmath>
 
 namespace Foam
@@ -42,7 +41,9 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
 
     // The fluid tells nothing apart within a cell
     h_ = std::cbrt(scene.grid.cellVolume());
-    properties_.segments = byAccuracy<label>(dict, "segments", 16, 32, 64);
+    properties_.segments = byAccuracy<label>(
+        dict, "segments", {16, 32, 64}, [](const scalar wanted)
+        { return label(std::ceil(std::sqrt(8 / wanted))); });
     if (twoWay() && !dict.found("segments"))
     {
         properties_.segments =
@@ -91,12 +92,7 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
                "1 and greater in two-way coupling");
     }
     properties_.mass = (ratio - (twoWay() ? 1 : 0)) * crossSection_ * scene.rho;
-    const bool heavy = readGravity(dict);
-    if (heavy)
-    {
-        scene.forces.append(new weight(name, (ratio - (alone() ? 0 : 1)) *
-                                                 scene.rho * scene.g));
-    }
+    addWeight(readGravity(dict), ratio - (alone() ? 0 : 1));
     properties_.scheme =
         readEnum(schemeNames, dict, "scheme", filament::IMPLICIT);
     if (!alone() && properties_.scheme != filament::IMPLICIT)
@@ -119,9 +115,6 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
                                Foam::name(properties_.segments) +
                                " segments, " + ends[0] + " " + ends[1] +
                                ", volume fraction " + Foam::name(fraction));
-    scene_.effects.declare("gravity", heavy,
-                           heavy ? "weight of the filaments"
-                                 : "none on the bodies");
 }
 
 // Places, directions and shape at the start

@@ -32,6 +32,56 @@ Foam::string Foam::filamentGroup::describe(const flowScales& flow) const
     return os.str();
 }
 
+// Measured on cantilevers, chains and swings, and by the drag of straight ones
+// (doc/validation.md)
+Foam::expectedErrors Foam::filamentGroup::errors(const flowScales&) const
+{
+    expectedErrors e{name(), "shape", {}};
+    const label n = properties_.segments;
+    e.parts.push_back({"segments", 4.0 / (n * n), Foam::name(n),
+                    [](const scalar left)
+                    {
+                        return "segments " +
+                               Foam::name(label(std::ceil(2 / std::sqrt(left))));
+                    }});
+    if (twoWay())
+    {
+        e.parts.push_back(
+            {"drag", 0.03, "of a fibre of the kernel's thickness", nullptr});
+    }
+    return e;
+}
+
+std::vector<Foam::errorIndicator> Foam::filamentGroup::indicators() const
+{
+    const label N = properties_.segments;
+    scalar bend = 0, length = 0, slip = 0;
+    for (const body& x : bodies_)
+    {
+        const vectorField& X = x.line.places();
+        for (label k = 1; k < N; ++k)
+        {
+            const vector before(X[k] - X[k - 1]), after(X[k + 1] - X[k]);
+            bend = max(bend, mag(before ^ after) / (mag(before) * mag(after)));
+        }
+        length = max(length, x.line.lengthError());
+        if (!twoWay()) continue;
+        const scalar speed =
+            max(max(mag(x.line.velocities())),
+                mag(sum(x.forces)) / (scene_.mu * properties_.length));
+        slip = max(slip, x.slip / max(speed, VSMALL));
+    }
+    std::vector<errorIndicator> all(
+        {{"sine of the angle between segments", bend, 0.3,
+          "entry segments to more"},
+         {"change of length", length, 1e-3, "deltaT to less"}});
+    if (twoWay())
+    {
+        all.push_back({"slip over speed", slip, 0.3, "deltaT to less"});
+    }
+    return all;
+}
+
 std::vector<Foam::bodyColumn> Foam::filamentGroup::columns() const
 {
     return {{"x", "m"},           {"y", "m"},

@@ -5,7 +5,6 @@
 #include "dictionaryChecks.H"
 #include "judgedRatio.H"
 #include "mathematicalConstants.H"
-#include "weight.H"
 #include <cmath>
 
 namespace Foam
@@ -53,20 +52,17 @@ Foam::rigidGroup::rigidGroup(const word& name, const dictionary& dict,
                         ? readPositive(dict, "densityRatio", dimless)
                         : 1;
     const bool heavy = readGravity(dict);
-    if (heavy && densityRatio_ == 1)
+    if (heavy && !dict.found("densityRatio"))
     {
-        refuse(dict, "gravity", "on",
-               "off, or a densityRatio other than 1 with it");
+        refuse(dict, "gravity", "on", "off, or a densityRatio with it");
     }
-    if (heavy)
-    {
-        scene.forces.append(
-            new weight(name, (densityRatio_ - 1) * scene.rho * scene.g));
-    }
+    addWeight(heavy, densityRatio_ - 1);
     readMotion(dict);
 
     const scalar spacing =
-        byAccuracy<scalar>(dict, "markerSpacing", 1.5, 1.3, 1);
+        byAccuracy<scalar>(dict, "markerSpacing", {1.5, 1.3, 1},
+                           [](const scalar wanted)
+                           { return wanted < 0.005 ? 1 : 1.3; });
     if (spacing < 0.5 || spacing > 1.5)
     {
         refuse(dict, "markerSpacing", Foam::name(spacing), "0.5 to 1.5");
@@ -79,9 +75,6 @@ Foam::rigidGroup::rigidGroup(const word& name, const dictionary& dict,
     scene_.effects.declare("rigid", true,
                            Foam::name(nBodies()) + " rigid bodies, " +
                                Foam::name(markers_.size()) + " markers each");
-    scene_.effects.declare("gravity", heavy,
-                           heavy ? "weight of the rigid bodies"
-                                 : "none on the bodies");
 }
 
 void Foam::rigidGroup::readMotion(const dictionary& dict)

@@ -267,6 +267,42 @@ Foam::string Foam::rigidGroup::describe(const flowScales& flow) const
     return os.str();
 }
 
+// Measured on spheres in a periodic box and in shear (tests/validation/rigidSphere)
+Foam::expectedErrors Foam::rigidGroup::errors(const flowScales&) const
+{
+    expectedErrors e{name(), "drag", {}};
+    const scalar radius = shape_.radius() / h_;
+    e.parts.push_back(
+        {"cells",
+         radius < 3   ? -1
+         : nearField_ ? 0.003 * sqr(3 / radius)
+                      : 0.064 / radius,
+         "a/h " + Foam::name(radius) +
+             (nearField_ ? " with near field" : " without near field"),
+         [this](const scalar left) -> string
+         {
+             return "cells of " +
+                    Foam::name(shape_.radius() /
+                               (nearField_ ? 3 * std::sqrt(0.003 / left)
+                                           : 0.064 / left)) +
+                    " m and smaller";
+         }});
+    return e;
+}
+
+std::vector<Foam::errorIndicator> Foam::rigidGroup::indicators() const
+{
+    scalar slip = 0;
+    for (const body& x : bodies_)
+    {
+        const scalar speed =
+            max(mag(x.velocity) + mag(x.angularVelocity) * shape_.radius(),
+                mag(sum(x.forces)) / (scene_.mu * shape_.radius()));
+        slip = max(slip, x.slip / max(speed, VSMALL));
+    }
+    return {{"slip over speed", slip, 0.3, "deltaT to less"}};
+}
+
 std::vector<Foam::bodyColumn> Foam::rigidGroup::columns() const
 {
     return {{"x", "m"},

@@ -65,7 +65,7 @@ Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh, string& from)
     return s;
 }
 
-void Foam::printSceneNumbers(const fvMesh& mesh, const scalar rho,
+Foam::flowScales Foam::printSceneNumbers(const fvMesh& mesh, const scalar rho,
                              const scalar nu, const PtrList<bodyGroup>& groups)
 {
     const uniformGrid& grid = uniformGrid::New(mesh);
@@ -129,4 +129,5 @@ void Foam::printSceneNumbers(const fvMesh& mesh, const scalar rho,
              << groups[g].describe(flow).c_str() << nl;
     }
     Info << endl;
+    return flow;
 }

@@ -1,0 +1,150 @@
+"""What each effect of a case costs, and what leaving it out would change.
+
+Runs a copy of the case as it stands, reads the table of effects from its log, and then
+runs copies without one effect at a time (the case itself is not touched). Printed and
+written to <out>/effectPrice.csv are for each effect: seconds of a step by the run's own
+clocks, seconds that the run without it is shorter by, and what a quantity of the bodies at
+the end changes by. Runs that are done are kept: after a kill the same command goes on.
+
+    effectPrice tutorials/capsule/nucleated --set endTime=1
+    effectPrice mine --quantity inclination --budget 30min
+"""
+import argparse
+import csv
+import glob
+import os
+import re
+import sys
+import accuracyCost
+from accuracyCost import Failed, Runs, atOneTime, dictionary, die
+
+bodiesFile = "constant/deformableBodies"
+
+
+def keys(folder, file, entry=None):
+    path = os.path.join(folder, file)
+    if not os.path.isfile(path):
+        return []
+    return (dictionary(path, *(["-entry", entry] if entry else []), "-keywords") or "").split()
+
+
+def ways(folder):
+    """What can be left out: effect in the table of the log, what it is called here, changes."""
+    found = []
+    for group in keys(folder, bodiesFile, "bodies"):
+        at = "bodies/" + group
+        own = keys(folder, bodiesFile, at)
+        type_ = (dictionary(os.path.join(folder, bodiesFile), "-entry", at + "/type", "-value") or "").strip()
+        for entry, effect in (("bending", "bending"), ("viscosityRatio", "viscosityRatio"),
+                              ("gravity", "gravity"), ("nucleus", "nucleus"), ("baseMotion", "filament")):
+            if entry in own:
+                found.append((effect, "%s of %s" % (entry, group), [("%s:%s/%s" % (bodiesFile, at, entry), None)] + (
+                    [("%s:%s/densityRatio" % (bodiesFile, at), None)]
+                    if entry == "gravity" and type_ == "capsule" else [])))
+        if type_ in ("capsule", "rigid"):
+            found.append(("nearField", "near field of " + group, [("%s:%s/nearField" % (bodiesFile, at), "off")]))
+        if type_ == "capsule":
+            found.append(("stabilised", "stabilised motion of " + group,
+                          [("%s:%s/motion" % (bodiesFile, at), "explicit")]))
+        if type_ == "filament":
+            found.append(("thicknessCouple", "couple of the thickness of " + group,
+                          [("%s:%s/thicknessCouple" % (bodiesFile, at), "off")]))
+        if type_ in ("capsule", "filament"):
+            found.append(("spreading", "feedback of %s on the fluid" % group,
+                          [("%s:%s/coupling" % (bodiesFile, at), "oneWay")]))
+    for kind in ("interactions", "loads"):
+        for name in keys(folder, bodiesFile, kind) if kind in keys(folder, bodiesFile) else []:
+            found.append((name if kind == "interactions" else "", "%s %s" % (kind[:-1], name),
+                          [("%s:%s/%s" % (bodiesFile, kind, name), None)]))
+    found.append(("momentum", "convection", [("system/fvSolution:PIMPLE/convection", "off")]))
+    for name in keys(folder, "constant/fvOptions"):
+        if name != "FoamFile":
+            found.append(("sources", "source " + name, [("constant/fvOptions:%s/active" % name, "no")]))
+    return found
+
+
+def table(log):
+    """Active effects, and those that are skipped, from the log."""
+    block = re.search(r"Effects of this scene\n(.*?)\n\n", open(log).read(), re.S)
+    if not block:
+        raise Failed("the log has no table of effects: does the case have bodies?")
+    rows = [line.split(None, 2) for line in block[1].splitlines()]
+    return [r[0] for r in rows if r[1] == "active"], [(r[0], r[2] if len(r) > 2 else "") for r in rows if r[1] == "skipped"]
+
+
+def clocks(log):
+    """Seconds of each effect in the whole run, from the log."""
+    block = re.search(r"Seconds per effect[^\n]*\n(.*?)\n\n", open(log).read(), re.S)
+    rows = (line.split() for line in block[1].splitlines()) if block else ()
+    return {r[0]: float(r[1]) for r in rows if len(r) > 2 and r[2].endswith(("0", "1", "2", "3", "4", "5", "6", "7", "8", "9"))}
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="effectPrice", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("case", help="folder of a case that runs")
+    parser.add_argument("--set", action="append", default=[], dest="always", metavar="NAME=VALUE",
+                        help="another value in all runs, such as endTime=0.5 (names as in accuracyCost --help)")
+    parser.add_argument("--quantity", help="column of a .dat file of the bodies, at the last time, on average over the "
+                        "bodies (default: the first there is of " + " ".join(accuracyCost.quantities) + ")")
+    parser.add_argument("--group", help="of this group of bodies")
+    parser.add_argument("--budget", help="wall time for all runs, such as 90s, 30min, 2h")
+    parser.add_argument("--out", help="output folder (default: effectPrice.<case>, here)")
+    options = parser.parse_args()
+    case = os.path.abspath(options.case)
+    if not os.path.isfile(case + "/system/controlDict"):
+        die("%s is no case: there is no system/controlDict" % options.case)
+    options.out = os.path.abspath(options.out or "effectPrice." + os.path.basename(case))
+    if options.out.startswith(case + os.sep):
+        die("--out %s lies in the case, which is not touched: run it elsewhere" % options.out)
+    for given in options.always:
+        if not re.fullmatch("[^=]+=[^=]+", given):
+            die("--set is '%s', allowed: a name and a value, such as endTime=0.5" % given)
+    options.always = [tuple(given.split("=")) for given in options.always]
+    os.makedirs(options.out, exist_ok=True)
+    runs = Runs(options)
+    runs.endWithSignals()
+
+    folder = os.path.join(options.out, "runs", "base")
+    try:
+        base = runs.run("base", None)
+        log = glob.glob(folder + "/log.*Foam")[0]
+        active, skipped = table(log)
+    except Failed as e:
+        die("the case as it stands does not run: %s" % e)
+    spent = clocks(log)
+    print("%s at time %g: %.6g, %.1f core s" % (base["quantity"], base["time"], base["value"], base["seconds"]))
+    print("Seconds by the clocks of the run: " + ", ".join(
+        "%s %.2f" % s for s in sorted(spent.items(), key=lambda s: -s[1]) if s[1] >= 0.005 * base["seconds"]))
+    todo = [w for w in ways(folder) if not w[0] or w[0] in active]
+    print("Skipped, free: " + ", ".join(name for name, _ in skipped) + "\n")
+
+    print("%-44s %12s %12s %14s" % ("without", "core s", "costs", base["quantity"] + " changes"))
+    rows, failures = [], []
+    for n, (effect, name, changes) in enumerate(todo):
+        try:
+            r = runs.run("without " + name, [c for c in changes])
+        except Failed as e:
+            failures.append((name, str(e)))
+            print("%-44s cannot be left out: %s" % (name, str(e)[:150]), flush=True)
+            continue
+        atOneTime([base, r])
+        cost = (base["seconds"] - r["seconds"]) / base["seconds"]
+        change = (r["value"] - base["value"]) / (abs(base["value"]) or 1)
+        rows.append([name, spent.get(effect, ""), r["seconds"], cost, r["value"], change])
+        print("%-44s %12.1f %10.0f %% %12.2g %%   [%d/%d]" % (
+            name, r["seconds"], 100 * cost, 100 * change, n + 1, len(todo)), flush=True)
+    with open(options.out + "/effectPrice.csv", "w") as f:
+        out = csv.writer(f)
+        out.writerow(["without", "clockSeconds", "coreSeconds", "shareOfCost", base["quantity"], "change"])
+        out.writerow(["nothing", "", base["seconds"], 0, base["value"], 0])
+        out.writerows(rows)
+    if base["seconds"] < 10:
+        print("Runs of less than ten seconds: costs are known to some 10 % only")
+    small = [r for r in rows if r[3] > 0.02 and abs(r[5]) < 1e-3]
+    if small:
+        print("\nCosts more than 2 % and changes less than 0.1 %: " + ", ".join(r[0] for r in small))
+    print("Written: %s/effectPrice.csv" % options.out)
+
+
+main()

@@ -1,0 +1,137 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+// The error of D that is to be expected of a capsule, measured in shear with
+// neo-Hookean and Skalak's law at Ca_G 0.0375 to 2 (doc/accuracy-and-cost.md)
+
+#include "capsuleGroup.H"
+#include <cmath>
+
+namespace
+{
+Foam::scalar ofHarmonics(const Foam::label degree)
+{
+    return degree < 5 ? 0.015 : 0.003 * Foam::sqr(6.0 / degree);
+}
+
+// Of Adams-Bashforth 2; rate times step
+Foam::scalar ofStep(const Foam::scalar step)
+{
+    return 5 * Foam::sqr(step);
+}
+
+// From here on the laws hold
+const Foam::scalar leastRadius = 3;
+
+// Of a sphere, by the smoothing of the kernel
+Foam::scalar ofCells(const Foam::scalar radius)
+{
+    return 0.08 * std::pow(4 / radius, 1.3);
+}
+
+Foam::string number(const Foam::scalar x)
+{
+    Foam::OStringStream os;
+    os.precision(2);
+    os << x;
+    return os.str();
+}
+} // namespace
+
+Foam::label Foam::capsuleGroup::enoughHarmonics(const scalar wanted)
+{
+    label degree = 5;
+    while (ofHarmonics(degree) > 0.25 * wanted)
+        ++degree;
+    return degree;
+}
+
+Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
+{
+    expectedErrors e{name(), "D", {}};
+    const scalar radius = radius_ / cmptMax(scene_.grid.h());
+    if (twoWay())
+    {
+        string by("a/h " + number(radius));
+        scalar error = -1;
+        if (!scene_.forceAtFaces)
+            by += ", force as an average of each cell";
+        else if (!round_)
+            by += ", not measured on such shapes";
+        else if (radius < leastRadius)
+            by += ", not measured below " + number(leastRadius);
+        else if (!nearField_)
+        {
+            by += " without near field";
+            error = viscosityRatio_ == 1 ? ofCells(radius) : -1;
+        }
+        else
+        {
+            by += " with near field";
+            error = viscosityRatio_ == 1 ? 0.003 : 0.007;
+        }
+        e.parts.push_back({"cells", error, by,
+                        [this](const scalar left) -> string
+                        {
+                            if (nearField_) return "";
+                            const scalar need =
+                                4 * std::pow(0.08 / left, 1 / 1.3);
+                            return "cells of " + number(radius_ / need) +
+                                   " m and smaller, a/h " + number(need);
+                        }});
+    }
+    const label degree = markerGrid_->degree();
+    e.parts.push_back({"harmonics", round_ ? ofHarmonics(degree) : -1,
+                    "N = " + Foam::name(degree),
+                    [](const scalar left)
+                    {
+                        return "harmonics " +
+                               Foam::name(label(
+                                   std::ceil(6 * std::sqrt(0.003 / left))));
+                    }});
+    e.parts.push_back({"markers", 5e-4, "at most a cell apart", nullptr});
+
+    const scalar rate = flow.rate, dt = min(scene_.deltaT, maxDeltaT_);
+    const bool known = rate > 0 && dt < GREAT;
+    e.parts.push_back({"step", known ? ofStep(rate * dt) : -1,
+                    known ? "deltaT times the rate of the flow is " +
+                                number(rate * dt)
+                          : string("the flow has no rate at the start"),
+                    [rate](const scalar left)
+                    {
+                        return "deltaT of " +
+                               number(std::sqrt(left / 5) / rate) +
+                               " s and smaller";
+                    }});
+    return e;
+}
+
+// Of the amplitude of all degrees, that of the two highest
+std::vector<Foam::errorIndicator> Foam::capsuleGroup::indicators() const
+{
+    const sphericalHarmonics& grid = *markerGrid_;
+    scalar highest = 0, change = 0;
+    for (const capsule& c : capsules_)
+    {
+        scalar all = 0, last = 0;
+        for (label n = 1; n <= grid.degree(); ++n)
+        {
+            scalar square = 0;
+            for (label m = 0; m <= n; ++m)
+            {
+                for (int sine = 0; sine <= (m ? 1 : 0); ++sine)
+                {
+                    const double* x = &c.x[3 * grid.index(n, m, sine)];
+                    square += x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
+                }
+            }
+            all += square;
+            if (n >= grid.degree() - 1) last += square;
+        }
+        highest = max(highest, std::sqrt(last / all));
+        change = max(change, mag(measure(c.x).volume / referenceVolume_ - 1));
+    }
+    return {{"highest harmonics", highest, 0.03,
+             "entry harmonics to more (on finer cells, where they are as many as "
+             "the cells move), or deltaT to less if the membrane wrinkles"},
+            {"change of volume", change, 1e-3, "deltaT to less"}};
+}

@@ -1,0 +1,124 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "expectedErrors.H"
+#include "dictionaryChecks.H"
+#include "ITstream.H"
+#include "PstreamReduceOps.H"
+#include <iomanip>
+#include <sstream>
+
+namespace
+{
+Foam::string percent(const Foam::scalar error)
+{
+    std::ostringstream os;
+    os << std::setprecision(2) << 100 * error << " %";
+    return os.str();
+}
+} // namespace
+
+Foam::bodyAccuracy::bodyAccuracy(const dictionary& dict)
+{
+    const entry* given = dict.findEntry("accuracy", keyType::LITERAL);
+    if (!given) return;
+    const string value(valueOf(*given));
+    const Enum<levels> words({{draft, "draft"},
+                              {standard, "standard"},
+                              {reference, "reference"}});
+    const string allowed(oneOf(words.names()) +
+                         " or the relative error wanted, 1e-4 to 0.2");
+    if (!given->isStream()) refuse(dict, "accuracy", value, allowed);
+    const token first(given->stream().first());
+    if (first.isNumber() && given->stream().size() == 1)
+    {
+        wanted = first.number();
+        if (!(wanted >= 1e-4 && wanted <= 0.2))
+        {
+            refuse(dict, "accuracy", value, allowed);
+        }
+    }
+    else if (first.isWord() && words.found(first.wordToken()))
+        level = words[first.wordToken()];
+    else
+        refuse(dict, "accuracy", value, allowed);
+}
+
+void Foam::judgeErrors(const List<expectedErrors>& errors, const scalar wanted,
+                       const fileName& file)
+{
+    const dictionary dict(file);
+    Info << "Errors to be expected" << nl;
+    for (const expectedErrors& group : errors)
+    {
+        scalar sum = 0;
+        bool known = group.parts.size();
+        string list;
+        for (const expectedError& part : group.parts)
+        {
+            known = known && part.error >= 0;
+            sum += max(part.error, scalar(0));
+            list += (list.empty() ? "" : "; ") + part.source + " " +
+                    (part.error < 0 ? string("not known") :
+                                      percent(part.error)) +
+                    " (" + part.by + ")";
+        }
+        std::ostringstream name;
+        name << "    " << std::left << std::setw(18) << group.group;
+        Info << name.str().c_str() << group.of.c_str() << ": "
+             << (known ? "within " + percent(sum) : string("not known")).c_str()
+             << (list.empty() ? "" : ": ") << list.c_str() << nl;
+        if (wanted <= 0 || (known && sum <= wanted)) continue;
+
+        // Who has the most can give the most
+        string remedies;
+        for (const expectedError& part : group.parts)
+        {
+            const scalar rest = wanted - (sum - part.error);
+            if (part.error > 0.25 * sum && part.remedy && rest > 0)
+            {
+                remedies += (remedies.empty() ? "" : ", or ") +
+                            part.remedy(rest);
+            }
+        }
+        if (known)
+        {
+            Info << endl;
+            refuse(dict, "accuracy", Foam::name(wanted),
+                   Foam::name(0.01 * std::ceil(1e4 * sum)) +
+                       " % and more for group " + group.group +
+                       " (from " + list + ")" +
+                       (remedies.empty() ? string("; it is there with finer "
+                                                  "cells and steps together")
+                                         : "; or " + remedies));
+        }
+        IOWarningInFunction(dict)
+            << "entry accuracy has the value " << wanted << ", but the error of "
+            << "group " << group.group << " is not known: " << list.c_str()
+            << nl << "    bin/accuracyCost finds it" << endl;
+    }
+    Info << endl;
+}
+
+void Foam::judgeIndicators(const word& group,
+                           std::vector<errorIndicator> indicators)
+{
+    std::ostringstream line;
+    line << "    " << std::left << std::setw(18) << group;
+    string between;
+    for (errorIndicator& i : indicators)
+    {
+        reduce(i.value, maxOp<scalar>());
+        line << between << i.name << ' ' << std::setprecision(2) << i.value;
+        between = ", ";
+    }
+    Info << line.str().c_str() << nl;
+    for (const errorIndicator& i : indicators)
+    {
+        if (i.value <= i.limit || !Pstream::master()) continue;
+        WarningInFunction << "group " << group << ": " << i.name.c_str()
+                          << " is " << i.value
+                          << ", and a run that is resolved has less than "
+                          << i.limit << nl << "    Change "
+                          << i.remedy.c_str() << endl;
+    }
+}
