@@ -40,7 +40,7 @@ Foam::string number(const Foam::scalar x)
 Foam::label Foam::capsuleGroup::enoughHarmonics(const scalar wanted)
 {
     label degree = 5;
-    while (ofHarmonics(degree) > 0.25 * wanted)
+    while (ofHarmonics(degree) > 0.15 * wanted)
         ++degree;
     return degree;
 }
