@@ -51,7 +51,8 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
     const scalar radius = radius_ / cmptMax(scene_.grid.h());
     if (twoWay())
     {
-        string by("a/h " + number(radius));
+        string by("a/h " + number(radius) +
+                  (nBodies() > 1 ? ", each as if alone" : ""));
         scalar error = -1;
         if (!scene_.forceAtFaces)
             by += ", force as an average of each cell";

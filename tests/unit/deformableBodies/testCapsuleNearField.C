@@ -1,6 +1,8 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "capsuleNearField.H"
+#include "mathematicalConstants.H"
+#include "Random.H"
 #include "testShapes.H"
 #include <chrono>
 #include <numeric>
@@ -74,25 +76,36 @@ TEST(CapsuleNearField, mobilityOfASphere)
     }
 }
 
+namespace
+{
+// Microseconds of a call, the least of some
+template<class Work>
+double least(Work work)
+{
+    double best = 1e30;
+    for (int batch = 0; batch < 30; ++batch)
+    {
+        const auto start = std::chrono::steady_clock::now();
+        for (int i = 0; i < 4; ++i)
+        {
+            work();
+        }
+        const std::chrono::duration<double> used(
+            std::chrono::steady_clock::now() - start);
+        best = min(best, 0.25e6 * used.count());
+    }
+    return best;
+}
+
+double norm(const numbers& v)
+{
+    return std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
+}
+} // namespace
+
 // Time of a capsule's near field beside that of its membrane
 TEST(CapsuleNearField, DISABLED_cost)
 {
-    const auto least = [](auto work)
-    {
-        double best = 1e30;
-        for (int batch = 0; batch < 30; ++batch)
-        {
-            const auto start = std::chrono::steady_clock::now();
-            for (int i = 0; i < 4; ++i)
-            {
-                work();
-            }
-            const std::chrono::duration<double> used(
-                std::chrono::steady_clock::now() - start);
-            best = min(best, 0.25e6 * used.count());
-        }
-        return best;
-    };
     std::printf("     N  a/h  points  near field  membrane  [microseconds]\n");
     for (const int N : {12, 16})
     {
@@ -110,4 +123,107 @@ TEST(CapsuleNearField, DISABLED_cost)
                         near.grid().nPoints(), sum, load);
         }
     }
+}
+
+// What each setting of the sum is worth: time and error of the velocity, which is the
+// part from the near field, on an ellipsoid of D = 0.36 at a/h = 4 for a random load of
+// degree 1 to 5
+TEST(CapsuleNearField, DISABLED_settings)
+{
+    const int N = 12;
+    const scalar h = 0.25;
+    const sphericalHarmonics grid(N, 24);
+    numbers x(sphere(N)), load(x.size(), 0);
+    for (size_t i = 0; i < x.size(); i += 3)
+    {
+        x[i] *= 1.5;
+        x[i + 1] *= 0.96;
+        x[i + 2] *= 0.7;
+    }
+    Random random(1);
+    for (int n = 1; n <= 5; ++n)
+    {
+        for (int m = 0; m <= n; ++m)
+        {
+            for (int d = 0; d < 6; ++d)
+            {
+                load[3 * grid.index(n, m, m && d > 2) + d % 3] =
+                    random.sample01<scalar>() - 0.5;
+            }
+        }
+    }
+    const auto velocity = [&](const capsuleNearField& near)
+    {
+        numbers u(x.size(), 0);
+        near.add(x.data(), load.data(), u.data());
+        return u;
+    };
+    const auto error = [&](numbers u, const numbers& right)
+    {
+        for (size_t i = 0; i < u.size(); ++i)
+        {
+            u[i] -= right[i];
+        }
+        return 100 * norm(u) / norm(right);
+    };
+    const auto at = [&](const int latitudes)
+    { return capsuleNearField(N, deltaKernel::Roma3, h, 1, 1, latitudes); };
+    const numbers right(velocity(at(60)));
+    std::printf("    latitudes  points  microseconds  error [%%]\n");
+    for (const int latitudes : {8, 10, 12, 14, 17, 20, 24})
+    {
+        const capsuleNearField near(at(latitudes));
+        numbers u;
+        const double time = least([&]() { u = velocity(near); });
+        std::printf("    %9d  %6d  %12.0f  %9.2f\n", latitudes,
+                    int(near.nPoints()), time, error(u, right));
+    }
+
+    // The sum alone, over points of the default
+    const nearField sum(deltaKernel::Roma3, h, 1, h);
+    const label n = 294;
+    std::vector<vector> X(n), F(n), fast(n), plain(n), within(n);
+    for (label k = 0; k < n; ++k)
+    {
+        const vector r(random.GaussNormal<scalar>(),
+                       random.GaussNormal<scalar>(),
+                       random.GaussNormal<scalar>());
+        X[k] = cmptMultiply(vector(1.5, 0.96, 0.7), r / mag(r));
+        F[k] = X[k] ^ vector(1, 2, 3);
+    }
+    const auto pairByPair = [&](std::vector<vector>& u, const scalar range)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            vector s(Zero);
+            for (label j = 0; j < n; ++j)
+            {
+                const vector r((X[i] - X[j]) / h);
+                if (mag(r) > range) continue;
+                const nearField::mobility m(sum.fitted(mag(r)));
+                s += m.A * F[j] + m.C * r * (r & F[j]);
+            }
+            u[i] = s / (8 * constant::mathematical::pi * h);
+        }
+    };
+    const auto apart = [&](const std::vector<vector>& u)
+    {
+        scalar wrong = 0, all = 0;
+        for (label k = 0; k < n; ++k)
+        {
+            wrong += magSqr(u[k] - plain[k]);
+            all += magSqr(plain[k]);
+        }
+        return 100 * std::sqrt(wrong / all);
+    };
+    const double slow = least([&]() { pairByPair(plain, GREAT); });
+    const double cut = least([&]() { pairByPair(within, 5); });
+    const double used =
+        least([&]() { sum.velocity(X.data(), F.data(), n, fast.data()); });
+    std::printf(
+        "    %d points: the sum %.0f microseconds; each pair by itself in "
+        "double precision %.0f, %.2g %% apart; those within 5 h only "
+        "%.0f, %.2g %% apart\n",
+        int(n), used, slow, apart(fast), cut, apart(within));
+    EXPECT_LT(apart(fast), 0.1);
 }

@@ -1,0 +1,24 @@
+"""drawSuspension.py suspension.csv doc: doc/suspension.csv and doc/suspension.png"""
+import csv
+import shutil
+import sys
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+rows = list(csv.DictReader(open(sys.argv[1])))
+figure, axes = plt.subplots(1, 2, figsize=(10, 4), constrained_layout=True)
+for kind, mark in (("capsules", "o-"), ("fibres", "s-")):
+    own = [r for r in rows if r["kind"] == kind]
+    n = [int(r["number"]) for r in own]
+    axes[0].loglog(n, [float(r["msPerStep"]) for r in own], mark, label=kind)
+    axes[1].semilogx(n, [100 * float(r["interactions"]) for r in own], mark, label=kind)
+first = next(r for r in rows if r["kind"] == "capsules" and r["number"] == "64")
+axes[0].loglog([1, 5000], [float(first["msPerStep"]) / 64 * x for x in (1, 5000)], "k:", lw=1, label="proportional")
+axes[0].set(xlabel="number of bodies", ylabel="ms of a step, the flow included")
+axes[1].set(xlabel="number of bodies", ylabel="share of the interactions [%]", ylim=(0, None))
+for a in axes:
+    a.grid(alpha=0.3)
+    a.legend()
+figure.savefig(sys.argv[2] + "/suspension.png", dpi=80)
+shutil.copy(sys.argv[1], sys.argv[2] + "/suspension.csv")
