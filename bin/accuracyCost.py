@@ -8,7 +8,8 @@ approach one at a steady order, else the finest. Written to the output folder ar
 setting, the cheapest marked) and, printed, which combination is the cheapest for 1, 0.3 and
 0.1 %. Errors of different settings are added, costs multiplied.
 
-Each run starts from 0.orig where the case has it, else from 0, after blockMesh and
+Of settings that are words (nearField, kernel, ...) the last value is taken to be right. The
+case's own value is part of the comparison only where it is among those given. Each run starts from 0.orig where the case has it, else from 0, after blockMesh and
 setExprFields where it has their dictionaries. Runs that are done are kept: after a kill the same command goes on where it was.
 
     accuracyCost tutorials/capsule/shear --vary cells=24,32,48 --vary harmonics=8,12,16
@@ -26,6 +27,7 @@ What can be varied, coarse values first or in any order:
 import argparse
 import csv
 import glob
+import hashlib
 import itertools
 import json
 import math
@@ -41,13 +43,14 @@ from concurrent.futures import ThreadPoolExecutor
 # Larger is finer, or smaller is; others are compared with the last value given
 finerUp = {"cells", "harmonics", "segments"}
 finerDown = {"deltaT", "dt", "maxCo", "markerSpacing", "maxDeltaT"}
+words = {"nearField": ["off", "auto", "on"], "accuracy": ["draft", "standard", "reference"]}
 perType = {"capsule": {"harmonics", "markerSpacing", "nearField", "motion"},
            "filament": {"segments", "scheme"}, "rigid": {"markerSpacing", "nearField"}}
 quantities = ["D", "tipY", "angle", "velocityY", "velocityX", "x"]
 
 
 def die(text):
-    print("accuracyCost: " + text, file=sys.stderr)
+    print("%s: %s" % (os.path.basename(sys.argv[0]).replace(".py", ""), text), file=sys.stderr)
     sys.exit(1)
 
 
@@ -60,6 +63,14 @@ def seconds(text):
     if not match or float(match[1]) <= 0:
         die("--budget is '%s', allowed: a time such as 90s, 30min or 2h" % text)
     return float(match[1]) * {"s": 1, None: 1, "min": 60, "h": 3600}[match[2]]
+
+
+def checkCase(case):
+    path = os.path.abspath(case)
+    if not os.path.isfile(path + "/system/controlDict"):
+        die("%s is no case: there is no system/controlDict" % case)
+    if re.search(r"\s", path + os.getcwd()):
+        die("OpenFOAM takes no paths with blanks: '%s', '%s'" % (path, os.getcwd()))
 
 
 def clock(t):
@@ -90,8 +101,7 @@ def change(folder, name, value):
     """Give one setting its value in a copied case; None takes <file>:<entry> out."""
     if value is None:
         file, entry = name.split(":", 1)
-        if dictionary(os.path.join(folder, file), "-entry", entry, "-remove") is None:
-            raise Failed("%s has no entry %s" % (file, entry))
+        dictionary(os.path.join(folder, file), "-entry", entry, "-remove")
         return
     scene = os.path.join(folder, "constant/scene")
     if os.path.isfile(scene):
@@ -143,12 +153,26 @@ def copyCase(case, folder):
     shutil.copytree(case, folder, ignore=left)
 
 
+def fingerprint(case):
+    """Of what a run starts from: 0 or 0.orig, constant and system, but for the mesh."""
+    sums = hashlib.sha256()
+    for start in ("0.orig" if os.path.isdir(case + "/0.orig") else "0", "constant", "system"):
+        for path, folders, files in os.walk(os.path.join(case, start)):
+            folders[:] = sorted(f for f in folders if f != "polyMesh")
+            for name in sorted(files):
+                sums.update(os.path.relpath(os.path.join(path, name), case).encode())
+                with open(os.path.join(path, name), "rb") as f:
+                    sums.update(f.read())
+    return sums.hexdigest()
+
+
 class Runs:
     def __init__(self, options):
         self.case, self.out = os.path.abspath(options.case), options.out
         self.quantity, self.group, self.always = options.quantity, options.group, options.always
         self.started, self.budget = time.time(), seconds(options.budget) if options.budget else math.inf
         self.running = set()
+        self.fingerprint = fingerprint(self.case)
 
     def endWithSignals(self):
         """Programs do not outlive a signal."""
@@ -163,9 +187,12 @@ class Runs:
         return self.budget - (time.time() - self.started)
 
     def read(self, folder):
-        files = sorted(glob.glob(folder + "/postProcessing/bodies/*/*.dat"))
+        files = sorted(glob.glob(glob.escape(folder) + "/postProcessing/bodies/*/*.dat"))
         if not files:
             raise Failed("the run wrote no postProcessing/bodies/*/*.dat: does the case have bodies?")
+        groups = list(dict.fromkeys(os.path.basename(file)[:-4] for file in files))
+        if self.group and self.group not in groups:
+            raise Failed("there is no group '%s', allowed: %s" % (self.group, " ".join(groups)))
         seen = []
         for file in files:
             group = os.path.basename(file)[:-4]
@@ -197,7 +224,7 @@ class Runs:
         record = os.path.join(folder, "done.json")
         if os.path.isfile(record):
             result = json.load(open(record))
-            if result["changes"] == [list(c) for c in changes]:
+            if (result["changes"], result.get("case")) == ([list(c) for c in changes], self.fingerprint):
                 return dict(result, **self.read(folder))
         shutil.rmtree(folder, ignore_errors=True)
         copyCase(self.case, folder)
@@ -235,7 +262,7 @@ class Runs:
         found = self.read(folder)
         # In hundredths
         times = re.findall(r"ExecutionTime = ([0-9.]+) s", text)
-        result = {"changes": changes, "seconds": max(0.01, float(times[-1])) if times else math.nan}
+        result = {"changes": changes, "case": self.fingerprint, "seconds": max(0.01, float(times[-1])) if times else math.nan}
         with open(record + ".part", "w") as f:
             json.dump(result, f)
         os.rename(record + ".part", record)
@@ -249,10 +276,11 @@ def atOneTime(results):
         times = {round(t, 12): t for t in r["values"]}
         common = set(times) if common is None else common & set(times)
     if not common or max(common) <= min(min(r["values"]) for r in results):
-        die("the runs have samples at no common time: sampleInterval 1, or steps that divide each other")
+        raise Failed("it has samples at no time of the others: sampleInterval 1, or steps that divide each other")
     for r in results:
         r["time"] = max(common)
         r["value"] = next(v for t, v in r["values"].items() if round(t, 12) == r["time"])
+    return results
 
 
 def number(text):
@@ -263,6 +291,8 @@ def number(text):
 
 
 def ordered(name, values):
+    if name in words:
+        return sorted(values, key=lambda v: words[name].index(v) if v in words[name] else -1)
     numbers = [number(v) for v in values]
     if None in numbers or name not in finerUp | finerDown:
         return values
@@ -273,11 +303,14 @@ def limitOf(name, levels):
     """The value that a setting goes to, how sure that is, and how it was found.
     levels: (setting, value of the quantity), coarse to fine."""
     fine = levels[-1][1]
+    if name not in finerUp | finerDown:
+        return fine, 0.0, "taken to be right: the last"
     numbers = [number(v) for v, _ in levels]
     if len(levels) < 2:
         return fine, math.nan, "one value only"
-    change = abs(levels[-1][1] - levels[-2][1])
-    if len(levels) >= 3 and None not in numbers and name in finerUp | finerDown:
+    # Two that agree by chance are no more sure than the third says
+    change = max([abs(fine - levels[-2][1])] + [abs(levels[-2][1] - l[1]) / 4 for l in levels[-3:-2]])
+    if len(levels) >= 3 and None not in numbers:
         h = [x if name in finerDown else 1 / x for x in numbers[-3:]]
         d1, d2 = levels[-3][1] - levels[-2][1], levels[-2][1] - fine
         if d2 != 0 and d1 / d2 > 1:
@@ -311,8 +344,7 @@ def main():
     parser.add_argument("--out", help="output folder (default: accuracyCost.<case>, here)")
     options = parser.parse_args()
     case = os.path.abspath(options.case)
-    if not os.path.isfile(case + "/system/controlDict"):
-        die("%s is no case: there is no system/controlDict" % options.case)
+    checkCase(options.case)
     options.out = os.path.abspath(options.out or "accuracyCost." + os.path.basename(case))
     if options.out.startswith(case + os.sep):
         die("--out %s lies in the case, which is not touched: run it elsewhere" % options.out)
@@ -361,6 +393,18 @@ def main():
         (results if result else failures)[job[0]] = result or failure
 
     runs.endWithSignals()
+    # Names and values that no run can take, before the first
+    trial = os.path.join(options.out, "runs", "trial")
+    for name, values in knobs.items():
+        shutil.rmtree(trial, ignore_errors=True)
+        copyCase(case, trial)
+        try:
+            change(trial, name, values[0])
+        except Failed as e:
+            shutil.rmtree(trial)
+            die("%s%s" % (e, "; the time step is deltaT here" if name == "dt" else ""))
+    shutil.rmtree(trial)
+
     report(*one(jobs[0]))
     if "base" in failures:
         die("the case as it stands does not run: " + failures["base"])
@@ -369,8 +413,16 @@ def main():
             report(*outcome)
 
     # Limits of each setting, then errors
-    atOneTime(list(results.values()))
     base, rows, limits = results["base"], [], {}
+    sampled = [base]
+    for label, r in list(results.items())[1:]:
+        try:
+            atOneTime(sampled + [r])
+            sampled.append(r)
+        except Failed as e:
+            failures[label] = str(e)
+            del results[label]
+    atOneTime(sampled)
     for name, values in knobs.items():
         levels = [(v, results["%s=%s" % (name, v)]) for v in values if "%s=%s" % (name, v) in results]
         if len(levels) < 2:
@@ -416,6 +468,8 @@ def main():
     print("Written: %s/accuracyCost.csv and .png" % options.out)
     for label, why in failures.items():
         print("Not run: %s: %s" % (label, why), file=sys.stderr)
+    if any("budget" in why for why in failures.values()):
+        print("The same command with a larger budget goes on from here", file=sys.stderr)
     sys.exit(2 if failures else 0)
 
 
@@ -425,7 +479,7 @@ def draw(file, base, limits, rows, scale):
     import matplotlib.pyplot as plt
     figure, axis = plt.subplots(figsize=(7, 5), constrained_layout=True)
     for name, (limit, _, how, levels) in limits.items():
-        own = [r for r in rows if r[0] == name]
+        own = [r for r in rows if r[0] == name and r[3] > 0]
         axis.loglog([r[4] for r in own], [max(r[3], 1e-8) for r in own], "o-", label="%s (%s)" % (name, how))
         for r in own:
             axis.annotate(r[1], (r[4], max(r[3], 1e-8)), textcoords="offset points", xytext=(4, 4), fontsize=8)
@@ -440,9 +494,12 @@ def draw(file, base, limits, rows, scale):
               color="0.4", rotation=90, ha="right", va="top")
     axis.set(xlabel="core seconds of the run", ylabel="error of %s from this setting alone" % base["quantity"])
     axis.grid(alpha=0.3)
-    axis.legend(fontsize=8)
+    axis.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1, 1))
     figure.savefig(file, dpi=100)
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except BrokenPipeError:
+        os._exit(1)

@@ -6,15 +6,15 @@ written to <out>/effectPrice.csv are for each effect: seconds of a step by the r
 clocks, seconds that the run without it is shorter by, and what a quantity of the bodies at
 the end changes by. Runs that are done are kept: after a kill the same command goes on.
 
-    effectPrice tutorials/capsule/nucleated --set endTime=1
+    effectPrice tutorials/capsule/nucleated
     effectPrice mine --quantity inclination --budget 30min
 """
 import argparse
 import csv
-import glob
 import os
 import re
 import sys
+import textwrap
 import accuracyCost
 from accuracyCost import Failed, Runs, atOneTime, dictionary, die
 
@@ -28,13 +28,17 @@ def keys(folder, file, entry=None):
     return (dictionary(path, *(["-entry", entry] if entry else []), "-keywords") or "").split()
 
 
+def value(folder, file, entry):
+    return (dictionary(os.path.join(folder, file), "-entry", entry, "-value") or "").strip()
+
+
 def ways(folder):
     """What can be left out: effect in the table of the log, what it is called here, changes."""
     found = []
     for group in keys(folder, bodiesFile, "bodies"):
         at = "bodies/" + group
         own = keys(folder, bodiesFile, at)
-        type_ = (dictionary(os.path.join(folder, bodiesFile), "-entry", at + "/type", "-value") or "").strip()
+        type_ = value(folder, bodiesFile, at + "/type")
         for entry, effect in (("bending", "bending"), ("viscosityRatio", "viscosityRatio"),
                               ("gravity", "gravity"), ("nucleus", "nucleus"), ("baseMotion", "filament")):
             if entry in own:
@@ -56,27 +60,29 @@ def ways(folder):
         for name in keys(folder, bodiesFile, kind) if kind in keys(folder, bodiesFile) else []:
             found.append((name if kind == "interactions" else "", "%s %s" % (kind[:-1], name),
                           [("%s:%s/%s" % (bodiesFile, kind, name), None)]))
-    found.append(("momentum", "convection", [("system/fvSolution:PIMPLE/convection", "off")]))
+    if value(folder, "system/fvSolution", "PIMPLE/convection") not in ("off", "no", "false"):
+        found.append(("momentum", "convection", [("system/fvSolution:PIMPLE/convection", "off")]))
     for name in keys(folder, "constant/fvOptions"):
-        if name != "FoamFile":
+        if (name != "FoamFile" and value(folder, "constant/fvOptions", name + "/type") != "deformableBodies" and
+                value(folder, "constant/fvOptions", name + "/active") not in ("off", "no", "false")):
             found.append(("sources", "source " + name, [("constant/fvOptions:%s/active" % name, "no")]))
     return found
 
 
 def table(log):
-    """Active effects, and those that are skipped, from the log."""
+    """Names of the effects that are active, and of those that are skipped, from the log."""
     block = re.search(r"Effects of this scene\n(.*?)\n\n", open(log).read(), re.S)
     if not block:
         raise Failed("the log has no table of effects: does the case have bodies?")
     rows = [line.split(None, 2) for line in block[1].splitlines()]
-    return [r[0] for r in rows if r[1] == "active"], [(r[0], r[2] if len(r) > 2 else "") for r in rows if r[1] == "skipped"]
+    return tuple([r[0] for r in rows if r[1] == word] for word in ("active", "skipped"))
 
 
 def clocks(log):
     """Seconds of each effect in the whole run, from the log."""
     block = re.search(r"Seconds per effect[^\n]*\n(.*?)\n\n", open(log).read(), re.S)
     rows = (line.split() for line in block[1].splitlines()) if block else ()
-    return {r[0]: float(r[1]) for r in rows if len(r) > 2 and r[2].endswith(("0", "1", "2", "3", "4", "5", "6", "7", "8", "9"))}
+    return {r[0]: float(r[1]) for r in rows if len(r) > 2 and r[2][-1].isdigit()}
 
 
 def main():
@@ -92,8 +98,7 @@ def main():
     parser.add_argument("--out", help="output folder (default: effectPrice.<case>, here)")
     options = parser.parse_args()
     case = os.path.abspath(options.case)
-    if not os.path.isfile(case + "/system/controlDict"):
-        die("%s is no case: there is no system/controlDict" % options.case)
+    accuracyCost.checkCase(options.case)
     options.out = os.path.abspath(options.out or "effectPrice." + os.path.basename(case))
     if options.out.startswith(case + os.sep):
         die("--out %s lies in the case, which is not touched: run it elsewhere" % options.out)
@@ -108,7 +113,8 @@ def main():
     folder = os.path.join(options.out, "runs", "base")
     try:
         base = runs.run("base", None)
-        log = glob.glob(folder + "/log.*Foam")[0]
+        log = os.path.join(folder, "log." + (dictionary(
+            folder + "/system/controlDict", "-entry", "application", "-value") or "").strip())
         active, skipped = table(log)
     except Failed as e:
         die("the case as it stands does not run: %s" % e)
@@ -117,34 +123,40 @@ def main():
     print("Seconds by the clocks of the run: " + ", ".join(
         "%s %.2f" % s for s in sorted(spent.items(), key=lambda s: -s[1]) if s[1] >= 0.005 * base["seconds"]))
     todo = [w for w in ways(folder) if not w[0] or w[0] in active]
-    print("Skipped, free: " + ", ".join(name for name, _ in skipped) + "\n")
+    print("Skipped, free: " + ", ".join(skipped) + "\n")
 
-    print("%-44s %12s %12s %14s" % ("without", "core s", "costs", base["quantity"] + " changes"))
-    rows, failures = [], []
+    print("%-40s %8s %8s %12s  %s changes" % ("without", "core s", "less by", "its clock", base["quantity"]))
+    rows, failed = [], 0
     for n, (effect, name, changes) in enumerate(todo):
         try:
-            r = runs.run("without " + name, [c for c in changes])
+            b, r = atOneTime([dict(base), runs.run("without " + name, changes)])
         except Failed as e:
-            failures.append((name, str(e)))
-            print("%-44s cannot be left out: %s" % (name, str(e)[:150]), flush=True)
+            failed += 1
+            print("%-40s cannot be left out: %s" % (name, textwrap.shorten(str(e), 160)), flush=True)
             continue
-        atOneTime([base, r])
         cost = (base["seconds"] - r["seconds"]) / base["seconds"]
-        change = (r["value"] - base["value"]) / (abs(base["value"]) or 1)
+        change = (r["value"] - b["value"]) / (abs(b["value"]) or 1)
         rows.append([name, spent.get(effect, ""), r["seconds"], cost, r["value"], change])
-        print("%-44s %12.1f %10.0f %% %12.2g %%   [%d/%d]" % (
-            name, r["seconds"], 100 * cost, 100 * change, n + 1, len(todo)), flush=True)
+        own = spent.get(effect)
+        print("%-40s %8.1f %8s %12s  %.2g %%   [%d/%d]" % (
+            name, r["seconds"], "-" if base["seconds"] < 1 else "%.0f %%" % (100 * cost),
+            "-" if own is None else "%.0f %%" % (100 * own / max(1e-9, sum(spent.values()))),
+            100 * change, n + 1, len(todo)), flush=True)
     with open(options.out + "/effectPrice.csv", "w") as f:
         out = csv.writer(f)
         out.writerow(["without", "clockSeconds", "coreSeconds", "shareOfCost", base["quantity"], "change"])
         out.writerow(["nothing", "", base["seconds"], 0, base["value"], 0])
         out.writerows(rows)
     if base["seconds"] < 10:
-        print("Runs of less than ten seconds: costs are known to some 10 % only")
-    small = [r for r in rows if r[3] > 0.02 and abs(r[5]) < 1e-3]
+        print("Short runs: what the run without an effect is shorter by, is known to tens of per cent only")
+    small = [r for r in rows if r[1] and r[1] > 0.02 * sum(spent.values()) and abs(r[5]) < 1e-3]
     if small:
-        print("\nCosts more than 2 % and changes less than 0.1 %: " + ", ".join(r[0] for r in small))
+        print("\nCosts more than 2 % and changes less than 0.1 % by then: " + ", ".join(r[0] for r in small))
     print("Written: %s/effectPrice.csv" % options.out)
+    sys.exit(2 if failed == len(todo) and todo else 0)
 
 
-main()
+try:
+    main()
+except BrokenPipeError:
+    os._exit(1)

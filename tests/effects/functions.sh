@@ -19,6 +19,8 @@ scene()
     local dir=$1 group=$2
     shift 2
     shearCase "$dir" Re 10 cells 16 endTime 0.08 "$@"
+    # What the tutorial has for stock solvers
+    rm constant/fvOptions
     entry system/controlDict writeInterval "$(awk '$1 == "endTime" { print $2 / 2 }' constant/scene)" writeFormat binary
     cat > constant/deformableBodies <<END
 FoamFile { version 2.0; format ascii; class dictionary; object deformableBodies; }

@@ -122,8 +122,7 @@ void Foam::bodyGroup::addWeight(const bool on, const scalar excess)
     const bool acts = on && excess != 0;
     if (acts)
     {
-        scene_.forces.append(
-            new weight(name_, excess * scene_.rho * scene_.g));
+        scene_.forces.append(new weight(name_, excess * scene_.rho * scene_.g));
     }
     scene_.effects.declare("gravity", acts,
                            acts ? "weight of " + name_

@@ -16,7 +16,7 @@ Foam::scalar ofHarmonics(const Foam::label degree)
 // Of Adams-Bashforth 2; rate times step
 Foam::scalar ofStep(const Foam::scalar step)
 {
-    return 5 * Foam::sqr(step);
+    return 6 * Foam::sqr(step);
 }
 
 // From here on the laws hold
@@ -37,10 +37,10 @@ Foam::string number(const Foam::scalar x)
 }
 } // namespace
 
-Foam::label Foam::capsuleGroup::enoughHarmonics(const scalar wanted)
+Foam::label Foam::capsuleGroup::enoughHarmonics(const scalar error) const
 {
-    label degree = 5;
-    while (ofHarmonics(degree) > 0.15 * wanted)
+    label degree = round_ ? 5 : 12;
+    while (ofHarmonics(degree) > error)
         ++degree;
     return degree;
 }
@@ -54,55 +54,64 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
         string by("a/h " + number(radius) +
                   (nBodies() > 1 ? ", each as if alone" : ""));
         scalar error = -1;
+        std::function<string(scalar)> remedy;
         if (!scene_.forceAtFaces)
             by += ", force as an average of each cell";
         else if (!round_)
             by += ", not measured on such shapes";
         else if (radius < leastRadius)
             by += ", not measured below " + number(leastRadius);
-        else if (!nearField_)
+        else if (nearField_)
         {
-            by += " without near field";
-            error = viscosityRatio_ == 1 ? ofCells(radius) : -1;
+            by += nearFieldKnown_ ? " with near field"
+                                  : ", near field beyond what is known";
+            if (nearFieldKnown_) error = viscosityRatio_ == 1 ? 0.003 : 0.007;
         }
         else
         {
-            by += " with near field";
-            error = viscosityRatio_ == 1 ? 0.003 : 0.007;
+            by += " without near field";
+            if (viscosityRatio_ == 1) error = ofCells(radius);
+            remedy = [this](const scalar left)
+            {
+                scalar cells = leastRadius;
+                while (ofCells(cells) > left)
+                    cells *= 1.01;
+                return "cells of " + atMost(radius_ / cells) + " m and smaller";
+            };
         }
-        e.parts.push_back({"cells", error, by,
-                        [this](const scalar left) -> string
-                        {
-                            if (nearField_) return "";
-                            const scalar need =
-                                4 * std::pow(0.08 / left, 1 / 1.3);
-                            return "cells of " + number(radius_ / need) +
-                                   " m and smaller, a/h " + number(need);
-                        }});
+        e.parts.push_back({"cells", error, by, remedy});
     }
     const label degree = markerGrid_->degree();
     e.parts.push_back({"harmonics", round_ ? ofHarmonics(degree) : -1,
-                    "N = " + Foam::name(degree),
-                    [](const scalar left)
-                    {
-                        return "harmonics " +
-                               Foam::name(label(
-                                   std::ceil(6 * std::sqrt(0.003 / left))));
-                    }});
+                       "N = " + Foam::name(degree),
+                       [=](const scalar left)
+                       {
+                           const label more = enoughHarmonics(left);
+                           return more > degree && more <= 64
+                                      ? "harmonics " + Foam::name(more)
+                                      : string();
+                       }});
     e.parts.push_back({"markers", 5e-4, "at most a cell apart", nullptr});
 
-    const scalar rate = flow.rate, dt = min(scene_.deltaT, maxDeltaT_);
-    const bool known = rate > 0 && dt < GREAT;
-    e.parts.push_back({"step", known ? ofStep(rate * dt) : -1,
-                    known ? "deltaT times the rate of the flow is " +
-                                number(rate * dt)
-                          : string("the flow has no rate at the start"),
-                    [rate](const scalar left)
-                    {
-                        return "deltaT of " +
-                               number(std::sqrt(left / 5) / rate) +
-                               " s and smaller";
-                    }});
+    // Adjusted steps keep to the limit of explicit motion
+    const membraneModel& law = membrane_->model();
+    const scalar rate = flow.rate;
+    const scalar dt = scene_.deltaT < GREAT ? scene_.deltaT : maxDeltaT_;
+    const bool stiffArea =
+        stabilised_ && law.areaModulus() > 4 * law.shearModulus();
+    const bool known = rate > 0 && dt > 0 && dt < GREAT && !stiffArea;
+    e.parts.push_back(
+        {"step", known ? ofStep(rate * dt) : -1,
+         stiffArea
+             ? string("stabilised, not measured where the area is so stiff")
+         : known ? "deltaT times the rate of the flow is " + number(rate * dt)
+         : rate > 0 ? string("deltaT is adjusted")
+                    : string("the flow has no rate at the start"),
+         [rate](const scalar left)
+         {
+             return "deltaT of " + atMost(std::sqrt(left / ofStep(1)) / rate) +
+                    " s and smaller";
+         }});
     return e;
 }
 
@@ -131,8 +140,9 @@ std::vector<Foam::errorIndicator> Foam::capsuleGroup::indicators() const
         highest = max(highest, std::sqrt(last / all));
         change = max(change, mag(measure(c.x).volume / referenceVolume_ - 1));
     }
-    return {{"highest harmonics", highest, 0.03,
-             "entry harmonics to more (on finer cells, where they are as many as "
-             "the cells move), or deltaT to less if the membrane wrinkles"},
-            {"change of volume", change, 1e-3, "deltaT to less"}};
+    return {
+        {"highest harmonics", highest, 0.03,
+         "entry harmonics to more (on finer cells, where they are as many as "
+         "the cells move), or deltaT to less if the membrane wrinkles"},
+        {"change of volume", change, 1e-3, "deltaT to less"}};
 }

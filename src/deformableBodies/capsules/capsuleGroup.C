@@ -43,7 +43,9 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     const label degree = dict.getOrDefault<label>(
         "harmonics",
         min(moved, byAccuracy<label>(dict, "harmonics", {12, 16, 24},
-                                     enoughHarmonics)));
+                                     [this](const scalar wanted) {
+                                         return enoughHarmonics(0.15 * wanted);
+                                     })));
     if (degree < 4 || degree > 64)
     {
         refuse(dict, "harmonics", Foam::name(degree), "4 to 64");
@@ -53,9 +55,8 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     {
         refuse(dict, "dealiasing", Foam::name(dealiasing), "1 to 4");
     }
-    const scalar spacing =
-        byAccuracy<scalar>(dict, "markerSpacing", {1, 0.9, 0.6},
-                           [](scalar) { return 1; });
+    const scalar spacing = byAccuracy<scalar>(
+        dict, "markerSpacing", {1, 0.9, 0.6}, [](scalar) { return 1; });
     if (spacing < 0.1 || spacing > 1)
     {
         refuse(dict, "markerSpacing", Foam::name(spacing), "0.1 to 1");
@@ -174,7 +175,8 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     scene_.effects.declare("bending", bool(bending_),
                            bending_
                                ? "modulus " + Foam::name(bending_->modulus())
-                               : string("no bending modulus given"));}
+                               : string("no bending modulus given"));
+}
 
 // The ellipsoid around the shape: that of the shape's extents about its own axis,
 // grown in proportion until all points are in it
@@ -252,9 +254,9 @@ Foam::label Foam::capsuleGroup::degreeOfMesh(const dictionary& shape) const
         volume += grid.weight(k) / 3 * (at(x, k) & (at(t, k) ^ at(p, k)));
     }
     const scalar a = std::cbrt(0.75 / constant::mathematical::pi * mag(volume));
-    return max(label(round_ ? 6 : 12),
-               label(min(scalar(64),
-                         2.4 * a / cmptMax(scene_.grid.h()) + 0.5)));
+    return max(
+        label(round_ ? 6 : 12),
+        label(min(scalar(64), 2.4 * a / cmptMax(scene_.grid.h()) + 0.5)));
 }
 
 void Foam::capsuleGroup::judgeSize(const dictionary& dict) const

@@ -16,9 +16,13 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
 {
     const membraneModel& law = membrane_->model();
     const scalar modulus = bending_ ? bending_->modulus() : 0;
-    stabilised_.reset(new stabilisedMotion(
-        *markerGrid_, 0.25 * (law.shearModulus() + law.areaModulus()), modulus,
-        0.5 * (1 + viscosityRatio_) * scene_.mu, radius_));
+
+    // Waves of shape and, where the area is far stiffer than the shear, waves of area
+    const scalar tension = max(0.25 * (law.shearModulus() + law.areaModulus()),
+                               0.5 * (law.areaModulus() - law.shearModulus()));
+    stabilised_.reset(
+        new stabilisedMotion(*markerGrid_, tension, modulus,
+                             0.5 * (1 + viscosityRatio_) * scene_.mu, radius_));
 
     // Of Adams-Bashforth 2 and the fastest harmonic; as the mesh smooths it, at
     // least four times that is stable (tests/bench/stability), unless the near field
@@ -125,18 +129,20 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
     }
 
     // Where it is not known to be better
-    const scalar inertia = scene_.rho * membrane_->model().shearModulus() *
-                           sqr(h.x() / scene_.mu) / radius_;
-    const scalar step = scene_.deltaT * membrane_->model().shearModulus() /
-                        (scene_.mu * radius_);
+    const scalar stiffness = max(membrane_->model().shearModulus(),
+                                 membrane_->model().areaModulus() / 3);
+    const scalar inertia =
+        scene_.rho * stiffness * sqr(h.x() / scene_.mu) / radius_;
+    const scalar step = scene_.deltaT * stiffness / (scene_.mu * radius_);
     string unknown;
     if (radius_ < 2.5 * h.x() && step > 0.8)
-        unknown = "deltaT Gs/(mu a) = " + Foam::name(step) + " at radius/h = " +
-                  Foam::name(radius_ / h.x()) +
+        unknown = "deltaT K/(mu a) = " + Foam::name(step) +
+                  " at radius/h = " + Foam::name(radius_ / h.x()) +
                   ", stable up to 0.8, or from radius/h = 2.5 on";
     else if (inertia > maxInertia)
-        unknown = "rho Gs h^2/(mu^2 a) = " + Foam::name(inertia) +
-                  ", known up to " + Foam::name(maxInertia);
+        unknown = "rho K h^2/(mu^2 a) = " + Foam::name(inertia) +
+                  " (K: Gs, or a third of the area modulus), known up to " +
+                  Foam::name(maxInertia);
     else if (viscosityRatio_ > maxViscosityRatio)
         unknown = "viscosityRatio " + Foam::name(viscosityRatio_) +
                   ", known up to " + Foam::name(maxViscosityRatio);
@@ -150,6 +156,7 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
         nearField_.reset(new capsuleNearField(markerGrid_->degree(),
                                               scene_.kernel.type(), h.x(),
                                               scene_.mu, extent));
+        nearFieldKnown_ = unknown.empty();
         note = Foam::name(nearField_->nPoints()) + " points" +
                (unknown.empty() ? string("") : "; beyond what is known: ") +
                unknown;

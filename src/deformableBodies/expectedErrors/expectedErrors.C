@@ -4,6 +4,7 @@
 #include "dictionaryChecks.H"
 #include "ITstream.H"
 #include "PstreamReduceOps.H"
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -22,14 +23,16 @@ Foam::bodyAccuracy::bodyAccuracy(const dictionary& dict)
     const entry* given = dict.findEntry("accuracy", keyType::LITERAL);
     if (!given) return;
     const string value(valueOf(*given));
-    const Enum<levels> words({{draft, "draft"},
-                              {standard, "standard"},
-                              {reference, "reference"}});
+    const Enum<levels> words(
+        {{draft, "draft"}, {standard, "standard"}, {reference, "reference"}});
     const string allowed(oneOf(words.names()) +
                          " or the relative error wanted, 1e-4 to 0.2");
-    if (!given->isStream()) refuse(dict, "accuracy", value, allowed);
+    if (!given->isStream() || given->stream().size() != 1)
+    {
+        refuse(dict, "accuracy", value, allowed);
+    }
     const token first(given->stream().first());
-    if (first.isNumber() && given->stream().size() == 1)
+    if (first.isNumber())
     {
         wanted = first.number();
         if (!(wanted >= 1e-4 && wanted <= 0.2))
@@ -41,6 +44,37 @@ Foam::bodyAccuracy::bodyAccuracy(const dictionary& dict)
         level = words[first.wordToken()];
     else
         refuse(dict, "accuracy", value, allowed);
+}
+
+Foam::string Foam::atMost(const scalar x)
+{
+    const scalar unit = std::pow(10.0, std::floor(std::log10(x)) - 1);
+    std::ostringstream os;
+    os << std::setprecision(2) << unit * std::floor(x / unit * (1 + 1e-9));
+    return os.str();
+}
+
+Foam::expectedError Foam::ofForcing(const scalar nu, const scalar deltaT,
+                                    const scalar h)
+{
+    const bool fixed = deltaT > 0 && deltaT < GREAT;
+    const scalar number = fixed ? nu * deltaT / sqr(h) : GREAT;
+    if (number > 10)
+    {
+        return {"step", -1,
+                fixed ? "nu deltaT/h^2 = " + Foam::name(number) +
+                            ", measured up to 10"
+                      : string("deltaT is adjusted"),
+                nullptr};
+    }
+    return {"step", 8e-4 * number,
+            "once steady; a force lags by " +
+                Foam::name(deltaT * max(scalar(1), 15 * number)) + " s",
+            [=](const scalar left)
+            {
+                return "deltaT of " + atMost(deltaT * left / (8e-4 * number)) +
+                       " s and smaller";
+            }};
 }
 
 void Foam::judgeErrors(const List<expectedErrors>& errors, const scalar wanted,
@@ -57,10 +91,10 @@ void Foam::judgeErrors(const List<expectedErrors>& errors, const scalar wanted,
         {
             known = known && part.error >= 0;
             sum += max(part.error, scalar(0));
-            list += (list.empty() ? "" : "; ") + part.source + " " +
-                    (part.error < 0 ? string("not known") :
-                                      percent(part.error)) +
-                    " (" + part.by + ")";
+            list +=
+                (list.empty() ? "" : "; ") + part.source + " " +
+                (part.error < 0 ? string("not known") : percent(part.error)) +
+                " (" + part.by + ")";
         }
         std::ostringstream name;
         name << "    " << std::left << std::setw(18) << group.group;
@@ -69,32 +103,33 @@ void Foam::judgeErrors(const List<expectedErrors>& errors, const scalar wanted,
              << (list.empty() ? "" : ": ") << list.c_str() << nl;
         if (wanted <= 0 || (known && sum <= wanted)) continue;
 
-        // Who has the most can give the most
+        // What can be changed, one at a time
         string remedies;
+        scalar least = 0;
         for (const expectedError& part : group.parts)
         {
+            if (!part.remedy) least += part.error;
             const scalar rest = wanted - (sum - part.error);
-            if (part.error > 0.25 * sum && part.remedy && rest > 0)
-            {
-                remedies += (remedies.empty() ? "" : ", or ") +
-                            part.remedy(rest);
-            }
+            const string remedy(part.remedy && rest > 0 ? part.remedy(rest)
+                                                        : string());
+            if (!remedy.empty()) remedies += ", or " + remedy;
         }
         if (known)
         {
+            if (least >= wanted)
+                remedies = "; nothing brings it below " + percent(least);
+            else if (remedies.empty())
+                remedies = "; to change one of them is not enough";
             Info << endl;
             refuse(dict, "accuracy", Foam::name(wanted),
-                   Foam::name(0.01 * std::ceil(1e4 * sum)) +
-                       " % and more for group " + group.group +
-                       " (from " + list + ")" +
-                       (remedies.empty() ? string("; it is there with finer "
-                                                  "cells and steps together")
-                                         : "; or " + remedies));
+                   Foam::name(1e-4 * std::ceil(1e4 * sum)) +
+                       " and more for group " + group.group + " (" + list +
+                       ")" + remedies);
         }
-        IOWarningInFunction(dict)
-            << "entry accuracy has the value " << wanted << ", but the error of "
-            << "group " << group.group << " is not known: " << list.c_str()
-            << nl << "    bin/accuracyCost finds it" << endl;
+        IOWarningInFunction(dict) << "entry accuracy has the value " << wanted
+                                  << ", but the error of group " << group.group
+                                  << " is not known: " << list.c_str() << nl
+                                  << "    bin/accuracyCost finds it" << endl;
     }
     Info << endl;
 }
@@ -114,11 +149,11 @@ void Foam::judgeIndicators(const word& group,
     Info << line.str().c_str() << nl;
     for (const errorIndicator& i : indicators)
     {
-        if (i.value <= i.limit || !Pstream::master()) continue;
+        if (i.value <= i.limit) continue;
         WarningInFunction << "group " << group << ": " << i.name.c_str()
                           << " is " << i.value
                           << ", and a run that is resolved has less than "
-                          << i.limit << nl << "    Change "
-                          << i.remedy.c_str() << endl;
+                          << i.limit << nl << "    Change " << i.remedy.c_str()
+                          << endl;
     }
 }

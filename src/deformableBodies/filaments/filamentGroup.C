@@ -41,9 +41,10 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
 
     // The fluid tells nothing apart within a cell
     h_ = std::cbrt(scene.grid.cellVolume());
-    properties_.segments = byAccuracy<label>(
-        dict, "segments", {16, 32, 64}, [](const scalar wanted)
-        { return label(std::ceil(std::sqrt(8 / wanted))); });
+    properties_.segments =
+        byAccuracy<label>(dict, "segments", {16, 32, 64},
+                          [](const scalar wanted)
+                          { return label(std::ceil(std::sqrt(20 / wanted))); });
     if (twoWay() && !dict.found("segments"))
     {
         properties_.segments =

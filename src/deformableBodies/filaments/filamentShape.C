@@ -38,16 +38,16 @@ Foam::expectedErrors Foam::filamentGroup::errors(const flowScales&) const
 {
     expectedErrors e{name(), "shape", {}};
     const label n = properties_.segments;
-    e.parts.push_back({"segments", 4.0 / (n * n), Foam::name(n),
-                    [](const scalar left)
-                    {
-                        return "segments " +
-                               Foam::name(label(std::ceil(2 / std::sqrt(left))));
-                    }});
+    e.parts.push_back(
+        {"segments", 4.0 / (n * n), Foam::name(n), [](const scalar left) {
+             return "segments " +
+                    Foam::name(label(std::ceil(2 / std::sqrt(left))));
+         }});
     if (twoWay())
     {
         e.parts.push_back(
             {"drag", 0.03, "of a fibre of the kernel's thickness", nullptr});
+        e.parts.push_back(ofForcing(scene_.mu / scene_.rho, scene_.deltaT, h_));
     }
     return e;
 }
@@ -62,22 +62,23 @@ std::vector<Foam::errorIndicator> Foam::filamentGroup::indicators() const
         for (label k = 1; k < N; ++k)
         {
             const vector before(X[k] - X[k - 1]), after(X[k + 1] - X[k]);
-            bend = max(bend, mag(before ^ after) / (mag(before) * mag(after)));
+            bend = max(bend, 1 - (before & after) / (mag(before) * mag(after)));
         }
         length = max(length, x.line.lengthError());
         if (!twoWay()) continue;
-        const scalar speed =
-            max(max(mag(x.line.velocities())),
-                mag(sum(x.forces)) / (scene_.mu * properties_.length));
-        slip = max(slip, x.slip / max(speed, VSMALL));
+        // Over the speed, or of those that are held what the force stands for
+        const scalar speed = max(mag(x.line.velocities()));
+        const scalar ofForce =
+            mag(sum(x.forces)) / (10 * scene_.mu * properties_.length);
+        slip = max(slip, x.slip / max(speed > 0 ? speed : ofForce, VSMALL));
     }
     std::vector<errorIndicator> all(
-        {{"sine of the angle between segments", bend, 0.3,
+        {{"1 - cosine of the angle between segments", bend, 0.05,
           "entry segments to more"},
          {"change of length", length, 1e-3, "deltaT to less"}});
     if (twoWay())
     {
-        all.push_back({"slip over speed", slip, 0.3, "deltaT to less"});
+        all.push_back({"slip over speed", slip, 0.1, "deltaT to less"});
     }
     return all;
 }

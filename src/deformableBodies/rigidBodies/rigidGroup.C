@@ -59,10 +59,9 @@ Foam::rigidGroup::rigidGroup(const word& name, const dictionary& dict,
     addWeight(heavy, densityRatio_ - 1);
     readMotion(dict);
 
-    const scalar spacing =
-        byAccuracy<scalar>(dict, "markerSpacing", {1.5, 1.3, 1},
-                           [](const scalar wanted)
-                           { return wanted < 0.005 ? 1 : 1.3; });
+    const scalar spacing = byAccuracy<scalar>(
+        dict, "markerSpacing", {1.5, 1.3, 1},
+        [](const scalar wanted) { return wanted < 0.005 ? 1 : 1.3; });
     if (spacing < 0.5 || spacing > 1.5)
     {
         refuse(dict, "markerSpacing", Foam::name(spacing), "0.5 to 1.5");

@@ -274,19 +274,21 @@ Foam::expectedErrors Foam::rigidGroup::errors(const flowScales&) const
     const scalar radius = shape_.radius() / h_;
     e.parts.push_back(
         {"cells",
-         radius < 3   ? -1
-         : nearField_ ? 0.003 * sqr(3 / radius)
-                      : 0.064 / radius,
+         radius < 3 || !isSphere() ? -1
+         : nearField_              ? 0.003 * sqr(3 / radius)
+                                   : 0.064 / radius,
          "a/h " + Foam::name(radius) +
+             (isSphere() ? "" : ", not measured on ellipsoids") +
              (nearField_ ? " with near field" : " without near field"),
          [this](const scalar left) -> string
          {
              return "cells of " +
-                    Foam::name(shape_.radius() /
-                               (nearField_ ? 3 * std::sqrt(0.003 / left)
-                                           : 0.064 / left)) +
+                    atMost(shape_.radius() / (nearField_
+                                                  ? 3 * std::sqrt(0.003 / left)
+                                                  : 0.064 / left)) +
                     " m and smaller";
          }});
+    e.parts.push_back(ofForcing(scene_.mu / scene_.rho, scene_.deltaT, h_));
     return e;
 }
 
@@ -295,12 +297,14 @@ std::vector<Foam::errorIndicator> Foam::rigidGroup::indicators() const
     scalar slip = 0;
     for (const body& x : bodies_)
     {
-        const scalar speed =
-            max(mag(x.velocity) + mag(x.angularVelocity) * shape_.radius(),
-                mag(sum(x.forces)) / (scene_.mu * shape_.radius()));
-        slip = max(slip, x.slip / max(speed, VSMALL));
+        // Over the speed, or of those that are held what the force stands for
+        const scalar a = shape_.radius();
+        const scalar speed = mag(x.velocity) + mag(x.angularVelocity) * a;
+        const scalar ofForce = mag(sum(x.forces)) /
+                               (6 * constant::mathematical::pi * scene_.mu * a);
+        slip = max(slip, x.slip / max(speed > 0 ? speed : ofForce, VSMALL));
     }
-    return {{"slip over speed", slip, 0.3, "deltaT to less"}};
+    return {{"slip over speed", slip, 0.1, "deltaT to less"}};
 }
 
 std::vector<Foam::bodyColumn> Foam::rigidGroup::columns() const

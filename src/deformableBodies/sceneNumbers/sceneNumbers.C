@@ -66,7 +66,8 @@ Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh, string& from)
 }
 
 Foam::flowScales Foam::printSceneNumbers(const fvMesh& mesh, const scalar rho,
-                             const scalar nu, const PtrList<bodyGroup>& groups)
+                                         const scalar nu,
+                                         const PtrList<bodyGroup>& groups)
 {
     const uniformGrid& grid = uniformGrid::New(mesh);
     const auto line = [](const std::string& name)
