@@ -66,11 +66,11 @@ std::vector<Foam::errorIndicator> Foam::filamentGroup::indicators() const
         }
         length = max(length, x.line.lengthError());
         if (!twoWay()) continue;
-        // Over the speed, or of those that are held what the force stands for
+        // Of those that are held or lie still: the speed that the force stands for
         const scalar speed = max(mag(x.line.velocities()));
         const scalar ofForce =
             mag(sum(x.forces)) / (10 * scene_.mu * properties_.length);
-        slip = max(slip, x.slip / max(speed > 0 ? speed : ofForce, VSMALL));
+        slip = max(slip, x.slip / max(max(speed, ofForce), VSMALL));
     }
     std::vector<errorIndicator> all(
         {{"1 - cosine of the angle between segments", bend, 0.05,
@@ -78,7 +78,7 @@ std::vector<Foam::errorIndicator> Foam::filamentGroup::indicators() const
          {"change of length", length, 1e-3, "deltaT to less"}});
     if (twoWay())
     {
-        all.push_back({"slip over speed", slip, 0.1, "deltaT to less"});
+        all.push_back({"slip over speed", slip, 0.05, "deltaT to less"});
     }
     return all;
 }

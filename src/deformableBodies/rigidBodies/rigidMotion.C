@@ -297,14 +297,14 @@ std::vector<Foam::errorIndicator> Foam::rigidGroup::indicators() const
     scalar slip = 0;
     for (const body& x : bodies_)
     {
-        // Over the speed, or of those that are held what the force stands for
+        // Of those that are held or lie still: the speed that the force stands for
         const scalar a = shape_.radius();
         const scalar speed = mag(x.velocity) + mag(x.angularVelocity) * a;
         const scalar ofForce = mag(sum(x.forces)) /
                                (6 * constant::mathematical::pi * scene_.mu * a);
-        slip = max(slip, x.slip / max(speed > 0 ? speed : ofForce, VSMALL));
+        slip = max(slip, x.slip / max(max(speed, ofForce), VSMALL));
     }
-    return {{"slip over speed", slip, 0.1, "deltaT to less"}};
+    return {{"slip over speed", slip, 0.05, "deltaT to less"}};
 }
 
 std::vector<Foam::bodyColumn> Foam::rigidGroup::columns() const
