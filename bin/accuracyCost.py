@@ -24,263 +24,20 @@ What can be varied, coarse values first or in any order:
                                                in each group that may have them
     <file>:<entry>  any other, such as system/fvSolution:PIMPLE/diffusion=ADI,FFT
 """
-import argparse
 import csv
-import glob
-import hashlib
 import itertools
-import json
 import math
 import os
-import re
 import shutil
-import signal
-import subprocess
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
+from caseRuns import Failed, Runs, atOneTime, change, clock, copyCase, die, guarded, readOptions
 
 # Larger is finer, or smaller is; others are compared with the last value given
 finerUp = {"cells", "harmonics", "segments"}
 finerDown = {"deltaT", "dt", "maxCo", "markerSpacing", "maxDeltaT"}
 words = {"nearField": ["off", "auto", "on"], "accuracy": ["draft", "standard", "reference"]}
-perType = {"capsule": {"harmonics", "markerSpacing", "nearField", "motion"},
-           "filament": {"segments", "scheme"}, "rigid": {"markerSpacing", "nearField"}}
-quantities = ["D", "tipY", "angle", "velocityY", "velocityX", "x"]
-
-
-def die(text):
-    print("%s: %s" % (os.path.basename(sys.argv[0]).replace(".py", ""), text), file=sys.stderr)
-    sys.exit(1)
-
-
-class Failed(Exception):
-    pass
-
-
-def seconds(text):
-    match = re.fullmatch(r"([0-9.]+) *(s|min|h)?", text)
-    if not match or float(match[1]) <= 0:
-        die("--budget is '%s', allowed: a time such as 90s, 30min or 2h" % text)
-    return float(match[1]) * {"s": 1, None: 1, "min": 60, "h": 3600}[match[2]]
-
-
-def checkCase(case):
-    path = os.path.abspath(case)
-    if not os.path.isfile(path + "/system/controlDict"):
-        die("%s is no case: there is no system/controlDict" % case)
-    if re.search(r"\s", path + os.getcwd()):
-        die("OpenFOAM takes no paths with blanks: '%s', '%s'" % (path, os.getcwd()))
-
-
-def clock(t):
-    return "%d:%02d:%02d" % (t // 3600, t // 60 % 60, t % 60)
-
-
-def dictionary(file, *arguments):
-    done = subprocess.run(["foamDictionary", file, "-disableFunctionEntries", *arguments],
-                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, universal_newlines=True)
-    return done.stdout if done.returncode == 0 else None
-
-
-def put(folder, file, entry, value):
-    """Set an entry; its dictionary must be there."""
-    path = os.path.join(folder, file)
-    if not os.path.isfile(path):
-        raise Failed("there is no file " + file)
-    parent = entry.rpartition("/")[0]
-    keys = dictionary(path, *(["-entry", parent] if parent else []), "-keywords")
-    if keys is None:
-        raise Failed("%s has no dictionary %s" % (file, parent))
-    there = entry.rpartition("/")[2] in keys.split()
-    if dictionary(path, "-entry", entry, "-set" if there else "-add", value) is None:
-        raise Failed("%s does not take %s %s" % (file, entry, value))
-
-
-def change(folder, name, value):
-    """Give one setting its value in a copied case; None takes <file>:<entry> out."""
-    if value is None:
-        file, entry = name.split(":", 1)
-        dictionary(os.path.join(folder, file), "-entry", entry, "-remove")
-        return
-    scene = os.path.join(folder, "constant/scene")
-    if os.path.isfile(scene):
-        text = open(scene).read()
-        changed, n = re.subn(r"(?m)^%s(\s+)[^;]*;" % re.escape(name), r"%s\g<1>%s;" % (name, value), text)
-        if n:
-            open(scene, "w").write(changed)
-            return
-    if ":" in name:
-        put(folder, *name.split(":", 1), value)
-    elif name == "cells":
-        path = os.path.join(folder, "system/blockMeshDict")
-        if not os.path.isfile(path):
-            raise Failed("there is no system/blockMeshDict whose cells could be varied")
-        text = open(path).read()
-        block = re.compile(r"(hex\s*\([^)]*\)\s*(?:\w+\s*)?\()\s*(\d+)\s+(\d+)\s+(\d+)\s*\)")
-        first = block.search(text)
-        if not first:
-            raise Failed("system/blockMeshDict has no block with numbers of cells (hex (...) (nx ny nz))")
-        ratio = float(value) / int(first[2])
-        def scaled(m):
-            n = [int(m[k]) * ratio for k in (2, 3, 4)]
-            if any(abs(x - round(x)) > 1e-9 for x in n):
-                raise Failed("%s cells: the others would be %s %s %s" % (value, *n))
-            return "%s%d %d %d)" % (m[1], *map(round, n))
-        open(path, "w").write(block.sub(scaled, text))
-    elif name in ("deltaT", "maxCo", "endTime", "maxDeltaT"):
-        put(folder, "system/controlDict", name, value)
-    elif name in ("kernel", "accuracy"):
-        put(folder, "constant/deformableBodies", name, value)
-    else:
-        bodies = os.path.join(folder, "constant/deformableBodies")
-        groups = (dictionary(bodies, "-entry", "bodies", "-keywords") or "").split()
-        fit = [g for g in groups if name in perType.get(
-            (dictionary(bodies, "-entry", "bodies/%s/type" % g, "-value") or "").strip(), ())]
-        if not fit:
-            raise Failed("'%s' is no entry of constant/scene and no setting that a group of %s has" %
-                         (name, "(" + " ".join(groups) + ")"))
-        for g in fit:
-            put(folder, "constant/deformableBodies", "bodies/%s/%s" % (g, name), value)
-
-
-def copyCase(case, folder):
-    def left(path, names):
-        if os.path.abspath(path) != os.path.abspath(case):
-            return {"polyMesh"} & set(names) if os.path.exists(
-                os.path.join(case, "system/blockMeshDict")) else set()
-        return {n for n in names if n not in ("0", "0.orig", "constant", "system")}
-    shutil.copytree(case, folder, ignore=left)
-
-
-def fingerprint(case):
-    """Of what a run starts from: 0 or 0.orig, constant and system, but for the mesh."""
-    sums = hashlib.sha256()
-    for start in ("0.orig" if os.path.isdir(case + "/0.orig") else "0", "constant", "system"):
-        for path, folders, files in os.walk(os.path.join(case, start)):
-            folders[:] = sorted(f for f in folders if f != "polyMesh")
-            for name in sorted(files):
-                sums.update(os.path.relpath(os.path.join(path, name), case).encode())
-                with open(os.path.join(path, name), "rb") as f:
-                    sums.update(f.read())
-    return sums.hexdigest()
-
-
-class Runs:
-    def __init__(self, options):
-        self.case, self.out = os.path.abspath(options.case), options.out
-        self.quantity, self.group, self.always = options.quantity, options.group, options.always
-        self.started, self.budget = time.time(), seconds(options.budget) if options.budget else math.inf
-        self.running = set()
-        self.fingerprint = fingerprint(self.case)
-
-    def endWithSignals(self):
-        """Programs do not outlive a signal."""
-        def stop(*_):
-            for process in list(self.running):
-                os.killpg(process.pid, signal.SIGKILL)
-            os._exit(130)
-        signal.signal(signal.SIGTERM, stop)
-        signal.signal(signal.SIGINT, stop)
-
-    def left(self):
-        return self.budget - (time.time() - self.started)
-
-    def read(self, folder):
-        files = sorted(glob.glob(glob.escape(folder) + "/postProcessing/bodies/*/*.dat"))
-        if not files:
-            raise Failed("the run wrote no postProcessing/bodies/*/*.dat: does the case have bodies?")
-        groups = list(dict.fromkeys(os.path.basename(file)[:-4] for file in files))
-        if self.group and self.group not in groups:
-            raise Failed("there is no group '%s', allowed: %s" % (self.group, " ".join(groups)))
-        seen = []
-        for file in files:
-            group = os.path.basename(file)[:-4]
-            if self.group and group != self.group:
-                continue
-            with open(file) as lines:
-                names = next(lines).split()[1:]
-            seen += names[2:]
-            wanted = [self.quantity] if self.quantity else quantities
-            name = next((q for q in wanted if q in names[2:]), None)
-            if name is None:
-                continue
-            at = {}
-            for r in (line.split() for line in open(file) if line[0] != "#"):
-                at.setdefault(float(r[0]), []).append(float(r[names.index(name)]))
-            at = {t: sum(v) / len(v) for t, v in at.items()}
-            if len(at) < 2:
-                raise Failed("%s has one sample only: a later endTime, or sampleInterval 1" % os.path.basename(file))
-            if not math.isfinite(at[max(at)]):
-                raise Failed("%s is not a number" % name)
-            return {"value": at[max(at)], "quantity": name, "time": max(at), "values": at}
-        raise Failed("there is no quantity '%s'%s, allowed: %s" % (
-            self.quantity, " of group " + self.group if self.group else "", " ".join(dict.fromkeys(seen))))
-
-    def run(self, label, setting):
-        """Result of one run, from an earlier command or made now."""
-        changes = self.always + (setting if isinstance(setting, list) else [setting] if setting else [])
-        folder = os.path.join(self.out, "runs", re.sub(r"[^A-Za-z0-9_.=+-]", "_", label))
-        record = os.path.join(folder, "done.json")
-        if os.path.isfile(record):
-            result = json.load(open(record))
-            if (result["changes"], result.get("case")) == ([list(c) for c in changes], self.fingerprint):
-                return dict(result, **self.read(folder))
-        shutil.rmtree(folder, ignore_errors=True)
-        copyCase(self.case, folder)
-        for name, value in changes:
-            change(folder, name, value)
-        if os.path.isdir(folder + "/0.orig"):
-            # Fields of the case may be those of another mesh
-            shutil.rmtree(folder + "/0", ignore_errors=True)
-            shutil.copytree(folder + "/0.orig", folder + "/0")
-        solver = (dictionary(folder + "/system/controlDict", "-entry", "application", "-value") or "").strip()
-        if not solver:
-            raise Failed("system/controlDict names no application")
-        programs = [p for p, needs in (("blockMesh", "system/blockMeshDict"),
-                                       ("setExprFields", "system/setExprFieldsDict"))
-                    if os.path.exists(os.path.join(folder, needs))] + [solver]
-        for program in programs:
-            if self.left() <= 0:
-                raise Failed("the budget is used up")
-            with open("%s/log.%s" % (folder, program), "w") as log:
-                process = subprocess.Popen([program], cwd=folder, stdout=log, stderr=log, start_new_session=True)
-                self.running.add(process)
-                try:
-                    status = process.wait(None if self.budget == math.inf else max(1, self.left()))
-                except subprocess.TimeoutExpired:
-                    os.killpg(process.pid, signal.SIGKILL)
-                    process.wait()
-                    raise Failed("the budget ended during this run")
-                finally:
-                    self.running.discard(process)
-            text = open(log.name).read()
-            if status != 0 or "FOAM FATAL" in text:
-                found = re.search(r"FOAM FATAL[^\n]*\n(.*?)\n\s*\n", text, re.S)
-                raise Failed("%s stopped: %s (%s)" % (
-                    program, " ".join(found[1].split()) if found else "status %d" % status, log.name))
-        found = self.read(folder)
-        # In hundredths
-        times = re.findall(r"ExecutionTime = ([0-9.]+) s", text)
-        result = {"changes": changes, "case": self.fingerprint, "seconds": max(0.01, float(times[-1])) if times else math.nan}
-        with open(record + ".part", "w") as f:
-            json.dump(result, f)
-        os.rename(record + ".part", record)
-        return dict(result, **found)
-
-
-def atOneTime(results):
-    """The values of all runs at the last time that all of them have samples of."""
-    common = None
-    for r in results:
-        times = {round(t, 12): t for t in r["values"]}
-        common = set(times) if common is None else common & set(times)
-    if not common or max(common) <= min(min(r["values"]) for r in results):
-        raise Failed("it has samples at no time of the others: sampleInterval 1, or steps that divide each other")
-    for r in results:
-        r["time"] = max(common)
-        r["value"] = next(v for t, v in r["values"].items() if round(t, 12) == r["time"])
-    return results
 
 
 def number(text):
@@ -327,33 +84,18 @@ def limitOf(name, levels):
     return fine, change, "the finest"
 
 
-def main():
-    parser = argparse.ArgumentParser(prog="accuracyCost", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("case", help="folder of a case that runs")
+def addOptions(parser):
     parser.add_argument("--vary", action="append", default=[], metavar="NAME=V1,V2,...",
                         help="a setting and its values; may be given several times")
-    parser.add_argument("--set", action="append", default=[], dest="always", metavar="NAME=VALUE",
-                        help="another value in all runs, such as endTime=0.5")
-    parser.add_argument("--quantity", help="column of a .dat file of the bodies, at the last time, on average "
-                        "over the bodies (default: the first there is of " + " ".join(quantities) + ")")
-    parser.add_argument("--group", help="of this group of bodies")
-    parser.add_argument("--budget", help="wall time for all runs, such as 90s, 30min, 2h")
     parser.add_argument("--jobs", type=int, default=1, help="runs side by side (default 1: side by side "
                         "they share the memory, and take more core seconds)")
-    parser.add_argument("--out", help="output folder (default: accuracyCost.<case>, here)")
-    options = parser.parse_args()
-    case = os.path.abspath(options.case)
-    checkCase(options.case)
-    options.out = os.path.abspath(options.out or "accuracyCost." + os.path.basename(case))
-    if options.out.startswith(case + os.sep):
-        die("--out %s lies in the case, which is not touched: run it elsewhere" % options.out)
+
+
+def main():
+    options = readOptions("accuracyCost", __doc__, addOptions)
+    case = options.case
     if options.jobs < 1:
         die("--jobs is %d, allowed: 1 and greater" % options.jobs)
-    for given in options.always:
-        if not re.fullmatch("[^=]+=[^=]+", given):
-            die("--set is '%s', allowed: a name and a value, such as endTime=0.5" % given)
-    options.always = [tuple(given.split("=")) for given in options.always]
     knobs = {}
     for vary in options.vary:
         name, _, values = vary.partition("=")
@@ -371,8 +113,8 @@ def main():
     runs = Runs(options)
 
     # Coarse and cheap first, the settings in turn
-    jobs = [("base", None)] + [
-        ("%s=%s" % (name, values[k]), (name, values[k]))
+    jobs = [("base", [])] + [
+        ("%s=%s" % (name, values[k]), [(name, values[k])])
         for k in range(max(map(len, knobs.values()))) for name, values in knobs.items() if k < len(values)]
     results, failures, done = {}, {}, 0
 
@@ -498,8 +240,4 @@ def draw(file, base, limits, rows, scale):
     figure.savefig(file, dpi=100)
 
 
-if __name__ == "__main__":
-    try:
-        main()
-    except BrokenPipeError:
-        os._exit(1)
+guarded(main)

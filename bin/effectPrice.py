@@ -9,14 +9,12 @@ the end changes by. Runs that are done are kept: after a kill the same command g
     effectPrice tutorials/capsule/nucleated
     effectPrice mine --quantity inclination --budget 30min
 """
-import argparse
 import csv
 import os
 import re
 import sys
 import textwrap
-import accuracyCost
-from accuracyCost import Failed, Runs, atOneTime, dictionary, die
+from caseRuns import Failed, Runs, atOneTime, dictionary, die, guarded, readOptions
 
 bodiesFile = "constant/deformableBodies"
 
@@ -86,33 +84,14 @@ def clocks(log):
 
 
 def main():
-    parser = argparse.ArgumentParser(prog="effectPrice", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("case", help="folder of a case that runs")
-    parser.add_argument("--set", action="append", default=[], dest="always", metavar="NAME=VALUE",
-                        help="another value in all runs, such as endTime=0.5 (names as in accuracyCost --help)")
-    parser.add_argument("--quantity", help="column of a .dat file of the bodies, at the last time, on average over the "
-                        "bodies (default: the first there is of " + " ".join(accuracyCost.quantities) + ")")
-    parser.add_argument("--group", help="of this group of bodies")
-    parser.add_argument("--budget", help="wall time for all runs, such as 90s, 30min, 2h")
-    parser.add_argument("--out", help="output folder (default: effectPrice.<case>, here)")
-    options = parser.parse_args()
-    case = os.path.abspath(options.case)
-    accuracyCost.checkCase(options.case)
-    options.out = os.path.abspath(options.out or "effectPrice." + os.path.basename(case))
-    if options.out.startswith(case + os.sep):
-        die("--out %s lies in the case, which is not touched: run it elsewhere" % options.out)
-    for given in options.always:
-        if not re.fullmatch("[^=]+=[^=]+", given):
-            die("--set is '%s', allowed: a name and a value, such as endTime=0.5" % given)
-    options.always = [tuple(given.split("=")) for given in options.always]
+    options = readOptions("effectPrice", __doc__)
     os.makedirs(options.out, exist_ok=True)
     runs = Runs(options)
     runs.endWithSignals()
 
     folder = os.path.join(options.out, "runs", "base")
     try:
-        base = runs.run("base", None)
+        base = runs.run("base", [])
         log = os.path.join(folder, "log." + (dictionary(
             folder + "/system/controlDict", "-entry", "application", "-value") or "").strip())
         active, skipped = table(log)
@@ -156,7 +135,4 @@ def main():
     sys.exit(2 if failed == len(todo) and todo else 0)
 
 
-try:
-    main()
-except BrokenPipeError:
-    os._exit(1)
+guarded(main)
