@@ -59,7 +59,7 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
             by += ", force as an average of each cell";
         else if (!round_)
             by += ", not measured on such shapes";
-        else if (radius < leastRadius)
+        else if (radius < leastRadius * (1 - 1e-6))
             by += ", not measured below " + number(leastRadius);
         else if (nearField_)
         {

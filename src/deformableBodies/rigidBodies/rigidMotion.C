@@ -274,9 +274,9 @@ Foam::expectedErrors Foam::rigidGroup::errors(const flowScales&) const
     const scalar radius = shape_.radius() / h_;
     e.parts.push_back(
         {"cells",
-         radius < 3 || !isSphere() ? -1
-         : nearField_              ? 0.003 * sqr(3 / radius)
-                                   : 0.064 / radius,
+         radius < 3 * (1 - 1e-6) || !isSphere() ? -1
+         : nearField_                           ? 0.003 * sqr(3 / radius)
+                                                : 0.064 / radius,
          "a/h " + Foam::name(radius) +
              (isSphere() ? "" : ", not measured on ellipsoids") +
              (nearField_ ? " with near field" : " without near field"),
