@@ -48,13 +48,74 @@ void gaussLegendre(const int n, std::vector<double>& theta,
         weight[i] = weight[n - 1 - i] = 2 / (dp * dp);
     }
 }
+//- Latitudes come by fours
+using four = Eigen::Array<double, 4, 1>;
+
+//- Largest number of latitudes of one hemisphere
+const int maxHalf = 512;
+
+//- sums (columns x h) = coefficients (n x columns) times table (n x h)
+template<int columns>
+void sumOfOrder(const double* table, const double* coeffs, const int n,
+                const int h, double* sums)
+{
+    for (int i = 0; i < h; i += 4)
+    {
+        four s[columns];
+        for (int q = 0; q < columns; ++q)
+        {
+            s[q].setZero();
+        }
+        const double* c = coeffs;
+        for (int k = 0; k < n; ++k, c += columns)
+        {
+            const four t(View<four>(table + k * h + i));
+            for (int q = 0; q < columns; ++q)
+            {
+                s[q] += c[q] * t;
+            }
+        }
+        for (int q = 0; q < columns; ++q)
+        {
+            Eigen::Map<four>(sums + q * h + i) = s[q];
+        }
+    }
+}
+
+//- coefficients (n x columns) += the transpose of that
+template<int columns>
+void addAdjointOfOrder(const double* table, const double* sums, const int n,
+                       const int h, double* coeffs)
+{
+    for (int k = 0; k < n; ++k, coeffs += columns)
+    {
+        four s[columns];
+        for (int q = 0; q < columns; ++q)
+        {
+            s[q].setZero();
+        }
+        for (int i = 0; i < h; i += 4)
+        {
+            const four t(View<four>(table + k * h + i));
+            for (int q = 0; q < columns; ++q)
+            {
+                s[q] += t * View<four>(sums + q * h + i);
+            }
+        }
+        for (int q = 0; q < columns; ++q)
+        {
+            coeffs[q] += s[q].sum();
+        }
+    }
+}
 } // namespace
 
 Foam::sphericalHarmonics::sphericalHarmonics(const int degree, int nTheta)
     : degree_(degree),
       nTheta_(nTheta + nTheta % 2),
       nPhi_(2 * nTheta_),
-      half_(nTheta_ / 2)
+      half_(nTheta_ / 2),
+      padded_((half_ + 3) / 4 * 4)
 {
     const int N = degree_;
     gaussLegendre(nTheta_, theta_, weight_);
@@ -71,7 +132,7 @@ Foam::sphericalHarmonics::sphericalHarmonics(const int degree, int nTheta)
         first_.push_back(at);
         firstP_.push_back(atP);
         at += (N - m + 1) * (m ? 2 : 1);
-        atP += (N - m + 1) * half_;
+        atP += (N - m + 1) * padded_;
     }
 
     // P_nm normalised over cos(theta), all orders of one latitude at a time
@@ -117,7 +178,7 @@ Foam::sphericalHarmonics::sphericalHarmonics(const int degree, int nTheta)
                     const double down =
                         m ? std::sqrt((n + m) * (n - m + 1.0)) * P(n, m - 1)
                           : -up;
-                    const int e = firstP_[m] + k * half_ + i;
+                    const int e = firstP_[m] + k * padded_ + i;
                     p_[e] = P(n, m);
                     dp_[e] = 0.5 * (down - up);
                     mp_[e] = m * P(n, m) / s;
@@ -171,43 +232,25 @@ void Foam::sphericalHarmonics::legendreSum(const std::vector<double>& table,
                                            const double* coeffs,
                                            double* fourier) const
 {
-    double sums[2][6 * 512];
-    const int h = half_;
+    double sums[2][6 * maxHalf];
+    const int h = padded_;
+    const double sign = flip ? -1 : 1;
     for (int m = 0; m <= degree_; ++m)
     {
         const int columns = m ? 6 : 3;
         const int nAll = degree_ - m + 1, nSymmetric = (degree_ - m) / 2 + 1;
         const double* c = coeffs + 3 * first_[m];
         const double* t = table.data() + firstP_[m];
-        for (int parity = 0; parity < 2; ++parity)
-        {
-            const int begin = parity ? nSymmetric : 0;
-            const int end = parity ? nAll : nSymmetric;
-            for (int q = 0; q < columns; ++q)
-            {
-                double* __restrict__ s = sums[parity] + q * h;
-                for (int i = 0; i < h; ++i)
-                {
-                    s[i] = 0;
-                }
-                for (int n = begin; n < end; ++n)
-                {
-                    const double a = c[n * columns + q];
-                    const double* __restrict__ tn = t + n * h;
-                    for (int i = 0; i < h; ++i)
-                    {
-                        s[i] += a * tn[i];
-                    }
-                }
-            }
-        }
-        const double sign = flip ? -1 : 1;
+        const auto sum = m ? sumOfOrder<6> : sumOfOrder<3>;
+        sum(t, c, nSymmetric, h, sums[0]);
+        sum(t + nSymmetric * h, c + nSymmetric * columns, nAll - nSymmetric, h,
+            sums[1]);
         for (int q = 0; q < columns; ++q)
         {
             double* out = fourier + (row(m, q >= 3) * 3 + q % 3) * nTheta_;
             const double* even = sums[0] + q * h;
             const double* odd = sums[1] + q * h;
-            for (int i = 0; i < h; ++i)
+            for (int i = 0; i < half_; ++i)
             {
                 out[i] = even[i] + odd[i];
                 out[nTheta_ - 1 - i] = sign * (even[i] - odd[i]);
@@ -220,8 +263,8 @@ void Foam::sphericalHarmonics::legendreSumAdjoint(
     const std::vector<double>& table, const bool flip, const double* fourier,
     double* coeffs) const
 {
-    double sums[2][512];
-    const int h = half_;
+    double sums[2][6 * maxHalf];
+    const int h = padded_;
     const double sign = flip ? -1 : 1;
     for (int m = 0; m <= degree_; ++m)
     {
@@ -232,19 +275,21 @@ void Foam::sphericalHarmonics::legendreSumAdjoint(
         for (int q = 0; q < columns; ++q)
         {
             const double* in = fourier + (row(m, q >= 3) * 3 + q % 3) * nTheta_;
-            for (int i = 0; i < h; ++i)
+            double* even = sums[0] + q * h;
+            double* odd = sums[1] + q * h;
+            for (int i = 0; i < half_; ++i)
             {
                 const double south = sign * in[nTheta_ - 1 - i];
-                sums[0][i] = in[i] + south;
-                sums[1][i] = in[i] - south;
+                even[i] = in[i] + south;
+                odd[i] = in[i] - south;
             }
-            for (int n = 0; n < nAll; ++n)
-            {
-                c[n * columns + q] +=
-                    View<Eigen::VectorXd>(sums[n >= nSymmetric], h)
-                        .dot(View<Eigen::VectorXd>(t + n * h, h));
-            }
+            std::fill(even + half_, even + h, 0.0);
+            std::fill(odd + half_, odd + h, 0.0);
         }
+        const auto add = m ? addAdjointOfOrder<6> : addAdjointOfOrder<3>;
+        add(t, sums[0], nSymmetric, h, c);
+        add(t + nSymmetric * h, sums[1], nAll - nSymmetric, h,
+            c + nSymmetric * columns);
     }
 }
 

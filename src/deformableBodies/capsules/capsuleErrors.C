@@ -81,7 +81,7 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
         }
         e.parts.push_back({"cells", error, by, remedy});
     }
-    const label degree = markerGrid_->degree();
+    const label degree = harmonics().degree();
     e.parts.push_back({"harmonics", round_ ? ofHarmonics(degree) : -1,
                        "N = " + Foam::name(degree),
                        [=](const scalar left)
@@ -118,7 +118,7 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
 // Of the amplitude of all degrees, that of the two highest
 std::vector<Foam::errorIndicator> Foam::capsuleGroup::indicators() const
 {
-    const sphericalHarmonics& grid = *markerGrid_;
+    const sphericalHarmonics& grid = harmonics();
     scalar highest = 0, change = 0;
     for (const capsule& c : capsules_)
     {

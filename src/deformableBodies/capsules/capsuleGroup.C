@@ -108,7 +108,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                "sizes below " + Foam::name(extent * 1000 / nTheta) +
                    " on this mesh (1000 rings of markers)");
     }
-    markerGrid_.reset(new sphericalHarmonics(degree, nTheta));
+    markers_.reset(new surfacePoints(degree, nTheta));
     coeffs_.resize(initial.size());
 
     const scalar prestress = dict.getOrDefault<scalar>("prestress", 0);
@@ -132,7 +132,6 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     xt_.resize(3 * membrane_->harmonics().nPoints());
     xp_.resize(xt_.size());
     onGrid_.resize(xt_.size());
-    onMarkers_.resize(3 * markerGrid_->nPoints());
 
     const geometry reference(measure(initial));
     referenceVolume_ = reference.volume;
@@ -170,8 +169,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                            dict.subDict("membrane").get<word>("law") +
                                ", N = " + Foam::name(degree) + ", " +
                                Foam::name(nBodies()) + " capsules, " +
-                               Foam::name(markerGrid_->nPoints()) +
-                               " markers each");
+                               Foam::name(markers_->size()) + " markers each");
     scene_.effects.declare("bending", bool(bending_),
                            bending_
                                ? "modulus " + Foam::name(bending_->modulus())
@@ -185,8 +183,8 @@ void Foam::capsuleGroup::readStart(const dictionary& dict)
     const vector axis(
         dict.subDict("shape").getOrDefault<vector>("axis", vector(0, 0, 1)));
     axis_ = axis / mag(axis);
-    vectorField X(markerGrid_->nPoints());
-    atMarkers(initial_, X.data(), 1);
+    vectorField X(markers_->size());
+    markers_->values(initial_.data(), X.data());
     X = turnTo(axis_).T() & X;
     vector semiAxes(Zero);
     for (const vector& x : X)
@@ -221,7 +219,7 @@ void Foam::capsuleGroup::setFilter(const dictionary& dict)
     }
     if (strength == 0) return;
 
-    const label degree = markerGrid_->degree();
+    const label degree = harmonics().degree();
     filter_.resize(coeffs_.size());
     for (label n = 0; n <= degree; ++n)
     {
@@ -230,8 +228,8 @@ void Foam::capsuleGroup::setFilter(const dictionary& dict)
         {
             for (direction d = 0; d < 3; ++d)
             {
-                filter_[3 * markerGrid_->index(n, m, false) + d] = f;
-                if (m) filter_[3 * markerGrid_->index(n, m, true) + d] = f;
+                filter_[3 * harmonics().index(n, m, false) + d] = f;
+                if (m) filter_[3 * harmonics().index(n, m, true) + d] = f;
             }
         }
     }
@@ -261,9 +259,9 @@ Foam::label Foam::capsuleGroup::degreeOfMesh(const dictionary& shape) const
 
 void Foam::capsuleGroup::judgeSize(const dictionary& dict) const
 {
-    const label n = markerGrid_->nPoints();
+    const label n = markers_->size();
     vectorField X(n);
-    atMarkers(initial_, X.data(), 1);
+    markers_->values(initial_.data(), X.data());
     const boundBox box(X, false);
     const vector h(scene_.grid.h()), L(scene_.grid.length());
     scalar toImage = GREAT;
@@ -351,19 +349,19 @@ Foam::boundBox Foam::capsuleGroup::bounds(const label i,
     const numbers& x = capsules_[i].x;
     if (smallest)
     {
-        vectorField points(markerGrid_->nPoints());
-        atMarkers(x, points.data(), 1);
+        vectorField points(markers_->size());
+        markers_->values(x.data(), points.data());
         return boundBox(points, false);
     }
     vector reach(Zero);
-    for (label n = 1; n <= markerGrid_->degree(); ++n)
+    for (label n = 1; n <= harmonics().degree(); ++n)
     {
         vector squares(Zero);
         for (label m = 0; m <= n; ++m)
         {
             for (int sine = 0; sine <= (m ? 1 : 0); ++sine)
             {
-                const double* c = &x[3 * markerGrid_->index(n, m, sine)];
+                const double* c = &x[3 * harmonics().index(n, m, sine)];
                 const vector v(c[0], c[1], c[2]);
                 squares += cmptMultiply(v, v);
             }
@@ -387,8 +385,8 @@ void Foam::capsuleGroup::checkStart(const label i, const dictionary& dict) const
 {
     const label body = mine()[i];
     const numbers& x = capsules_[i].x;
-    vectorField points(markerGrid_->nPoints());
-    atMarkers(x, points.data(), 1);
+    vectorField points(markers_->size());
+    markers_->values(x.data(), points.data());
     const boundBox bounds(points, false);
     const vector length(scene_.grid.length());
     for (direction d = 0; d < 3; ++d)

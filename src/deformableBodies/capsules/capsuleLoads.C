@@ -6,40 +6,15 @@
 
 Foam::label Foam::capsuleGroup::nMarkers() const
 {
-    return label(capsules_.size()) * markerGrid_->nPoints();
-}
-
-void Foam::capsuleGroup::atMarkers(const numbers& coeffs, vector* v,
-                                   const scalar factor) const
-{
-    const label n = markerGrid_->nPoints();
-    markerGrid_->values(coeffs.data(), onMarkers_.data());
-    for (label k = 0; k < n; ++k)
-    {
-        v[k] = factor *
-               vector(onMarkers_[k], onMarkers_[n + k], onMarkers_[2 * n + k]);
-    }
+    return label(capsules_.size()) * markers_->size();
 }
 
 void Foam::capsuleGroup::markers(vector* X, scalar)
 {
     for (const capsule& c : capsules_)
     {
-        atMarkers(c.x, X, 1);
-        X += markerGrid_->nPoints();
-    }
-}
-
-void Foam::capsuleGroup::areas(const numbers& coeffs, vector* dS) const
-{
-    const label n = markerGrid_->nPoints();
-    numbers t(3 * n), p(3 * n);
-    markerGrid_->gradient(coeffs.data(), t.data(), p.data());
-    for (label k = 0; k < n; ++k)
-    {
-        const vector xt(t[k], t[n + k], t[2 * n + k]);
-        const vector xp(p[k], p[n + k], p[2 * n + k]);
-        dS[k] = markerGrid_->weight(k) * (xt ^ xp);
+        markers_->values(c.x.data(), X);
+        X += markers_->size();
     }
 }
 
@@ -47,8 +22,8 @@ void Foam::capsuleGroup::areas(vector* dS) const
 {
     for (const capsule& c : capsules_)
     {
-        areas(c.x, dS);
-        dS += markerGrid_->nPoints();
+        markers_->areas(c.x.data(), dS);
+        dS += markers_->size();
     }
 }
 
@@ -66,7 +41,7 @@ Foam::bodyPoints Foam::capsuleGroup::pointsOf(const label body,
                                               const numbers& x,
                                               const numbers& velocity) const
 {
-    const label n = markerGrid_->nPoints();
+    const label n = markers_->size();
     bodyPoints p{name(),
                  body,
                  vectorField(n),
@@ -75,9 +50,9 @@ Foam::bodyPoints Foam::capsuleGroup::pointsOf(const label body,
                  scalarField(),
                  0,
                  membrane_->model().shearModulus()};
-    atMarkers(x, p.places.data(), 1);
-    atMarkers(velocity, p.velocities.data(), 1);
-    areas(x, p.areas.data());
+    markers_->values(x.data(), p.places.data());
+    markers_->values(velocity.data(), p.velocities.data());
+    markers_->areas(x.data(), p.areas.data());
     return p;
 }
 
@@ -90,11 +65,11 @@ Foam::bodyPoints Foam::capsuleGroup::points(const label i) const
 void Foam::capsuleGroup::loads(vector* X, vector* F, const scalar time)
 {
     const auto timing(scene_.effects.time("membrane"));
-    const label n = markerGrid_->nPoints();
+    const label n = markers_->size();
     forAll(mine(), i)
     {
         capsule& c = capsules_[i];
-        atMarkers(c.xMid, X, 1);
+        markers_->values(c.xMid.data(), X);
         forcesOnFluid(i, time, F);
         if (nearField_) loadOnFluid(F, c.onFluid);
         X += n;
@@ -110,11 +85,11 @@ void Foam::capsuleGroup::forcesOnFluid(const label i, const scalar time,
         coeffs_ = c.load;
     else
         load(c.xMid, coeffs_);
-    atMarkers(coeffs_, F, -1);
-    const label n = markerGrid_->nPoints();
+    const label n = markers_->size();
+    markers_->values(coeffs_.data(), F);
     for (label k = 0; k < n; ++k)
     {
-        F[k] *= markerGrid_->weight(k);
+        F[k] *= -markers_->weight(k);
     }
     if (!scene_.forces.actOn(name(), mine()[i])) return;
     vectorField more(n, Zero);
@@ -127,17 +102,9 @@ void Foam::capsuleGroup::forcesOnFluid(const label i, const scalar time,
     }
 }
 
+// Forces have the solid angles in them
 void Foam::capsuleGroup::loadOnFluid(const vector* F, numbers& q) const
 {
-    const label n = markerGrid_->nPoints();
     q.resize(coeffs_.size());
-    for (label k = 0; k < n; ++k)
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            onMarkers_[d * n + k] = F[k][d];
-        }
-    }
-    // Forces have the solid angles in them
-    markerGrid_->valuesAdjoint(onMarkers_.data(), q.data());
+    markers_->valuesAdjoint(F, q.data());
 }

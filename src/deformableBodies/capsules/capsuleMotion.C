@@ -21,13 +21,14 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
     const scalar tension = max(0.25 * (law.shearModulus() + law.areaModulus()),
                                0.5 * (law.areaModulus() - law.shearModulus()));
     stabilised_.reset(
-        new stabilisedMotion(*markerGrid_, tension, modulus,
+        new stabilisedMotion(harmonics(), tension, modulus,
                              0.5 * (1 + viscosityRatio_) * scene_.mu, radius_));
 
     // Of Adams-Bashforth 2 and the fastest harmonic; as the mesh smooths it, at
     // least four times that is stable (tests/bench/stability), unless the near field
     // gives it back
-    maxDeltaT_ = (nearField_ ? 1.5 : 4) / stabilised_->fastest();
+    const scalar smoothed = 4 / stabilised_->fastest();
+    maxDeltaT_ = nearField_ ? 0.375 * smoothed : smoothed;
 
     enum motionType
     {
@@ -80,6 +81,15 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
     else if (motion == EXPLICIT)
     {
         stabilised_.reset();
+        if (nearField_ && scene_.deltaT > maxDeltaT_)
+        {
+            const scalar step = min(scene_.deltaT, smoothed);
+            const scalar degree = 8 * std::pow(maxDeltaT_ / step, 0.7);
+            nearField_->setTaper(degree);
+            note += ", near field up to degree " + Foam::name(degree) +
+                    " in place of 8: deltaT above " + Foam::name(maxDeltaT_);
+            maxDeltaT_ = smoothed;
+        }
     }
     else if (motion == PENALTY)
     {
@@ -88,7 +98,7 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
             new penaltyMotion(thickness * scene_.rho * radius_, radius_));
 
         // Waves of area are the stiffest in the plane
-        const scalar N = markerGrid_->degree(), bend = N * (N + 3) / radius_;
+        const scalar N = harmonics().degree(), bend = N * (N + 3) / radius_;
         maxDeltaT_ = penalty_->maxDeltaT(
             (law.shearModulus() + law.areaModulus()) * N * (N + 1) +
             modulus * bend * bend);
@@ -153,7 +163,7 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
     if (note.empty()) note = unknown;
     if (on)
     {
-        nearField_.reset(new capsuleNearField(markerGrid_->degree(),
+        nearField_.reset(new capsuleNearField(harmonics().degree(),
                                               scene_.kernel.type(), h.x(),
                                               scene_.mu, extent));
         nearFieldKnown_ = unknown.empty();
@@ -185,7 +195,7 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
 {
     const scalar dt = s.dt;
     const auto timing(scene_.effects.time("membrane"));
-    const label n = markerGrid_->nPoints();
+    const label n = markers_->size();
     numbers velocity(coeffs_.size()), g(coeffs_.size());
     vectorField F(nearField_ ? n : 0);
     string trouble;
@@ -193,14 +203,7 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
     for (size_t i = 0; i < capsules_.size(); ++i, U += n)
     {
         capsule& c = capsules_[i];
-        for (label k = 0; k < n; ++k)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                onMarkers_[d * n + k] = U[k][d];
-            }
-        }
-        markerGrid_->analysis(onMarkers_.data(), velocity.data());
+        markers_->analysis(U, velocity.data());
         if (nearField_)
         {
             const auto timing(scene_.effects.time("nearField"));
@@ -237,7 +240,7 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
             stabilised_->apply(
                 c.x, c.previous, coeffs_, dt, r, referenceVolume_,
                 [&](const numbers& x, numbers& dV) { volumeGradient(x, dV); },
-                *markerGrid_);
+                harmonics());
         }
 
         for (size_t j = 0; j < filter_.size(); ++j)

@@ -17,34 +17,23 @@ Foam::capsuleNearField::capsuleNearField(const label degree,
                                          const scalar h, const scalar mu,
                                          const scalar radius,
                                          const label nTheta)
-    : grid_(degree, nTheta ? nTheta : max(label(14), latitudes(radius / h))),
+    : points_(degree, nTheta ? nTheta : max(label(14), latitudes(radius / h))),
       sum_(kernel, h, mu,
-           max(h, 1.5 * constant::mathematical::pi * radius / grid_.nTheta())),
-      taper_(grid_.nCoeffs())
+           max(h, 1.5 * constant::mathematical::pi * radius / grid().nTheta())),
+      taper_(grid().nCoeffs())
 {
-    // Near the poles every second or fourth point of a latitude is enough
-    for (label i = 0, k = 0; i < grid_.nTheta(); ++i)
-    {
-        label step = 1;
-        while (grid_.nPhi() % (2 * step) == 0 &&
-               2 * step * std::sin(grid_.theta(i)) < 1.15)
-        {
-            step *= 2;
-        }
-        for (label j = 0; j < grid_.nPhi(); ++j, ++k)
-        {
-            if (j % step) continue;
-            points_.push_back(k);
-            weights_.push_back(step * grid_.weight(k));
-        }
-    }
-    for (label n = 0; n <= degree; ++n)
+    setTaper(8);
+}
+
+void Foam::capsuleNearField::setTaper(const scalar degree)
+{
+    for (label n = 0; n <= grid().degree(); ++n)
     {
         for (label m = 0; m <= n; ++m)
         {
-            taper_[grid_.index(n, m, false)] =
-                taper_[grid_.index(n, m, m > 0)] =
-                    std::exp(-std::pow(n / 8.0, 8));
+            taper_[grid().index(n, m, false)] =
+                taper_[grid().index(n, m, m > 0)] =
+                    std::exp(-std::pow(n / degree, 8));
         }
     }
 }
@@ -52,43 +41,23 @@ Foam::capsuleNearField::capsuleNearField(const label degree,
 void Foam::capsuleNearField::add(const double* x, const double* load,
                                  double* velocity) const
 {
-    const label nAll = grid_.nPoints(), n = nPoints();
-    const label nCoeffs = 3 * grid_.nCoeffs();
-    std::vector<double> values(3 * nAll), coeffs(nCoeffs);
+    const label n = nPoints(), nCoeffs = 3 * grid().nCoeffs();
+    std::vector<double> coeffs(nCoeffs);
     std::vector<vector> X(n), F(n), u(n);
-    const auto evaluate = [&](const double* c, std::vector<vector>& v)
-    {
-        grid_.values(c, values.data());
-        for (label k = 0; k < n; ++k)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                v[k][d] = values[d * nAll + points_[k]];
-            }
-        }
-    };
-    evaluate(x, X);
+    points_.values(x, X.data());
     for (label i = 0; i < nCoeffs; ++i)
     {
         coeffs[i] = taper_[i / 3] * load[i];
     }
-    evaluate(coeffs.data(), F);
+    points_.values(coeffs.data(), F.data());
     for (label k = 0; k < n; ++k)
     {
-        F[k] *= weights_[k];
+        F[k] *= points_.weight(k);
     }
 
     sum_.velocity(X.data(), F.data(), n, u.data());
 
-    std::fill(values.begin(), values.end(), 0);
-    for (label k = 0; k < n; ++k)
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            values[d * nAll + points_[k]] = weights_[k] * u[k][d];
-        }
-    }
-    grid_.valuesAdjoint(values.data(), coeffs.data());
+    points_.analysis(u.data(), coeffs.data());
     for (label i = 0; i < nCoeffs; ++i)
     {
         velocity[i] += taper_[i / 3] * coeffs[i];

@@ -50,7 +50,7 @@ Foam::string Foam::capsuleGroup::describe(const flowScales& flow) const
     OStringStream os;
     os.precision(4);
     os << nBodies() << " of radius a " << radius_ << ", a/h "
-       << radius_ / cmptMax(scene_.grid.h()) << ", N " << markerGrid_->degree()
+       << radius_ / cmptMax(scene_.grid.h()) << ", N " << harmonics().degree()
        << ", volume fraction "
        << nBodies() * referenceVolume_ / cmptProduct(scene_.grid.length());
     if (flow.rate > 0)
@@ -178,7 +178,7 @@ Foam::bodySurface Foam::capsuleGroup::surface(const label i) const
 
 Foam::bodyGroup::identity Foam::capsuleGroup::identify() const
 {
-    return {{"harmonics", scalar(markerGrid_->degree())},
+    return {{"harmonics", scalar(harmonics().degree())},
             {"radius", radius_},
             {"area", referenceArea_}};
 }

@@ -2,7 +2,11 @@
 
 #include "deltaKernel.H"
 #include "dictionary.H"
+
+// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <cmath>
+#include <Eigen/Core>
 
 const Foam::Enum<Foam::deltaKernel::kernelType> Foam::deltaKernel::names({
     {kernelType::Roma3, "Roma3"},
@@ -12,6 +16,33 @@ const Foam::Enum<Foam::deltaKernel::kernelType> Foam::deltaKernel::names({
 Foam::deltaKernel::deltaKernel(const dictionary& dict)
     : type_(names.getOrDefault("kernel", dict, kernelType::Roma3))
 {
+}
+
+// The other weights follow from one root, the unit sum and the zero first moment
+void Foam::deltaKernel::weights(const label n, const scalar* position,
+                                scalar* lowest, scalar* const weight[4]) const
+{
+    using places = Eigen::Map<Eigen::ArrayXd>;
+    const Eigen::Map<const Eigen::ArrayXd> x(position, n);
+    places first(lowest, n), w0(weight[0], n), w1(weight[1], n),
+        w2(weight[2], n), w3(weight[3], n);
+    if (type_ == Roma3)
+    {
+        first = (x + 0.5).floor() - 1;
+        w3 = x - first - 1; // from the middle point
+        w1 = (1 + (1 - 3 * w3.square()).sqrt()) / 3;
+        w0 = 0.5 * (1 - w1 - w3);
+        w2 = 0.5 * (1 - w1 + w3);
+        w3 = 0;
+        return;
+    }
+    first = x.floor() - 1;
+    w3 = x - first - 1; // from the second point
+    w2 = 0.125 * (1 + 4 * w3 * (1 - w3)).sqrt();
+    w1 = 0.125 * (3 - 2 * w3) + w2;
+    w0 = 0.125 * (3 - 2 * w3) - w2;
+    w3 = 0.125 * (1 + 2 * w3) - w2;
+    w2 = w3 + 2 * w2;
 }
 
 void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
@@ -24,9 +55,9 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
                                      : min(max(x - offset, first - scalar(0.5)),
                                            last + scalar(0.5));
     const label nPoints = this->nPoints();
-    scalar lowestPoint, weights1[1][4];
-    weights<1>(&position, &lowestPoint, weights1);
-    const scalar* weight = weights1[0];
+    scalar lowestPoint, weight[4];
+    scalar* const places[4] = {weight, weight + 1, weight + 2, weight + 3};
+    weights(1, &position, &lowestPoint, places);
     const label lowest = label(lowestPoint);
 
     if (lowest >= (periodic ? 0 : first) &&

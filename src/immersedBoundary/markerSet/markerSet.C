@@ -13,7 +13,7 @@ Foam::markerSet::markerSet(const uniformGrid& grid, const deltaKernel& kernel,
 void Foam::markerSet::place(const vectorField& X)
 {
     copies_.place(X);
-    makeStencils();
+    sort();
 }
 
 void Foam::markerSet::interpolate(const List<staggeredView>& u,

@@ -21,60 +21,65 @@ inline fourValues& fourAt(double* p)
 }
 } // namespace
 
-//- Of a marker at faces in the three directions, then at centres in them: four points
-//  that follow each other
-struct Foam::markerSet::markerWeights
+//- Of some markers in sorted_, from one on, at faces in the three directions and then
+//  at centres in them: first points, counted through the box, and weights of four
+//  points that follow each other. They are made where they are used, in the
+//  processor's cache: to fetch them from memory takes longer
+struct Foam::markerSet::weightBatch
 {
-    scalar lowest[6]; //!< first points, counted through the box
+    static constexpr label n = 64;
+    scalar position[6][n], lowest[6][n], weight[4][6][n];
+
+    weightBatch(const markerSet& markers, const label begin, const label size)
+    {
+        const label all =
+            (size + 7) / 8 * 8; // what the vectors of any machine hold
+        for (direction d = 0; d < 3; ++d)
+        {
+            for (label k = 0; k < all; ++k)
+            {
+                const scalar x = markers.at_[d][begin + min(k, size - 1)];
+                position[d][k] = x;
+                position[d + 3][k] = x - 0.5;
+            }
+        }
+        for (int i = 0; i < 6; ++i)
+        {
+            scalar* const w[4] = {weight[0][i], weight[1][i], weight[2][i],
+                                  weight[3][i]};
+            markers.kernel_.weights(all, position[i], lowest[i], w);
+        }
+    }
+};
+
+//- A marker that is cut: four points within the block and their weights in each of the
+//  six, weight 0 where there is none
+struct Foam::markerSet::cutMarker
+{
+    label at[6][4];
     scalar weight[6][4];
 };
 
-Foam::markerSet::markerWeights Foam::markerSet::weightsAt(const vector& x) const
+//- What it reaches of one component: the four points of each row and their weights, do
+//  they follow each other?; where rows begin and their weights
+struct Foam::markerSet::cutRows
 {
-    scalar position[6];
-    for (direction d = 0; d < 3; ++d)
-    {
-        scalar at = (x[d] - grid_.origin()[d]) / grid_.h()[d];
-        if (grid_.periodic(d) && (at < 0 || at >= grid_.n()[d]))
-        {
-            at -= grid_.n()[d] * std::floor(at / grid_.n()[d]);
-        }
-        position[d] = at;
-        position[d + 3] = at - 0.5;
-    }
-    markerWeights w;
-    kernel_.weights<6>(position, w.lowest, w.weight);
-    return w;
-}
+    const label* x;
+    const scalar* weightX;
+    bool inLine;
+    int count;
+    std::ptrdiff_t at[17];
+    scalar weight[17];
+};
 
-// All points of a marker in the block of this rank, as they stand in memory?
-bool Foam::markerSet::makeWhole(const markerWeights& w, label* first,
-                                scalar* weights) const
-{
-    for (int i = 0; i < 6; ++i)
-    {
-        const direction d = i % 3;
-        const label lo = grid_.box().lo[d];
-
-        // The faces of walls have their velocity from a boundary condition
-        const label least = i < 3 && lo == 0 && !grid_.periodic(d) ? 1 : lo;
-        const label last =
-            lo + grid_.box().size[d] - (d == 0 ? 4 : kernel_.nPoints());
-        if (!(w.lowest[i] >= least && w.lowest[i] <= last)) return false;
-        first[i] = label(w.lowest[i]) - lo;
-        std::copy_n(w.weight[i], 4, weights + 4 * i);
-    }
-    return true;
-}
-
-void Foam::markerSet::makeCut(const vector& x, const markerWeights& w,
-                              cutMarker& c) const
+void Foam::markerSet::cut(const weightBatch& w, const label marker,
+                          cutMarker& c) const
 {
     const label nPoints = kernel_.nPoints();
     for (int i = 0; i < 6; ++i)
     {
         const direction d = i % 3;
-        const label n = grid_.n()[d], lowest = label(w.lowest[i]);
+        const label n = grid_.n()[d], lowest = label(w.lowest[i][marker]);
         const label least = i < 3 ? 1 : 0;
         kernelStencil s;
         if (grid_.periodic(d) || (lowest >= least && lowest + nPoints <= n))
@@ -82,167 +87,193 @@ void Foam::markerSet::makeCut(const vector& x, const markerWeights& w,
             s.size = nPoints;
             for (label k = 0; k < nPoints; ++k)
             {
-                s.at[k] = (lowest + k + n) % n;
-                s.weight[k] = w.weight[i][k];
+                const label at = lowest + k;
+                s.at[k] = at < 0 ? at + n : at < n ? at : at - n;
+                s.weight[k] = w.weight[k][i][marker];
             }
         }
         else
         {
-            const scalar at = (x[d] - grid_.origin()[d]) / grid_.h()[d];
-            kernel_.stencil(at, i < 3 ? 0 : 0.5, least, n - 1, n, false, s);
+            kernel_.stencil(w.position[d][marker], i < 3 ? 0 : 0.5, least,
+                            n - 1, n, false, s);
         }
         for (label k = 0; k < 4; ++k)
         {
-            // Points of this rank only, counted within its block
-            const label at = k < s.size ? s.at[k] - grid_.box().lo[d] : -1;
+            // Points of this rank only, counted within its block. What has no weight
+            // stands beside the one before if it can
+            const bool exists = k < s.size;
+            const label at = exists   ? s.at[k] - grid_.box().lo[d]
+                             : k == 0 ? 0
+                                      : c.at[i][k - 1] + 1;
             const bool here = at >= 0 && at < grid_.box().size[d];
             c.at[i][k] = here ? at : 0;
-            c.weight[i][k] = here ? s.weight[k] : 0;
+            c.weight[i][k] = here && exists ? s.weight[k] : 0;
         }
     }
 }
 
-// From low to high z, within that from low to high y by some rows, within that
-// as in the list, where neighbours are neighbours in space: what one marker has
-// fetched others find in the cache
-Foam::labelList Foam::markerSet::alongMemory() const
+// Along memory: from low to high z, within that from low to high y by some rows,
+// within that as in the list, where neighbours are neighbours in space; what one marker
+// has fetched others find in the cache
+void Foam::markerSet::sort()
 {
     const label rows = 8;
     const cellBox& box = grid_.box();
-    const label perLayer = box.size.y() / rows + 1;
-    const auto bucket = [&](const vector& x)
+    const label n = X().size(), perLayer = box.size.y() / rows + 1,
+                nBuckets = perLayer * box.size.z();
+
+    // All points of a marker lie in the block, as they stand in memory, if the marker
+    // lies between these, in cells of the box. The faces of walls have their velocity
+    // from a boundary condition; rows along x are of four points
+    scalar from[3], to[3];
+    for (direction d = 0; d < 3; ++d)
     {
-        const label j = grid_.cellAt(x.y(), 1) - box.lo.y();
-        const label k = grid_.cellAt(x.z(), 2) - box.lo.z();
-        return min(max(j, label(0)), box.size.y() - 1) / rows +
-               perLayer * min(max(k, label(0)), box.size.z() - 1);
-    };
-    labelList start(perLayer * box.size.z() + 1, Zero), in(X().size());
-    forAll(X(), k)
+        const label lo = box.lo[d];
+        const label face = lo == 0 && !grid_.periodic(d) ? 1 : lo;
+        const label last = lo + box.size[d] - (d == 0 ? 4 : kernel_.nPoints());
+        from[d] = kernel_.reach() + max(face - scalar(1), lo - 0.5);
+        to[d] = kernel_.reach() + last - 1e-9; // whatever the rounding
+    }
+
+    std::vector<vector> place(n);
+    labelList start(nBuckets + 2, Zero), in(n);
+    const vector& origin = grid_.origin();
+    const vector& h = grid_.h();
+    for (label k = 0; k < n; ++k)
     {
-        in[k] = bucket(X()[k]);
+        vector& x = place[k];
+        bool whole = true;
+        for (direction d = 0; d < 3; ++d)
+        {
+            const scalar size = grid_.n()[d];
+            x[d] = (X()[k][d] - origin[d]) / h[d];
+            if (grid_.periodic(d) && !(x[d] >= 0 && x[d] < size))
+            {
+                x[d] -= size * std::floor(x[d] / size);
+            }
+            whole = whole && x[d] >= from[d] && x[d] < to[d];
+        }
+        in[k] = whole ? (label(x.y()) - box.lo.y()) / rows +
+                            perLayer * (label(x.z()) - box.lo.z())
+                      : nBuckets;
         ++start[in[k] + 1];
     }
     for (label b = 1; b < start.size(); ++b)
     {
         start[b] += start[b - 1];
     }
-    labelList order(X().size());
-    forAll(X(), k)
+    nWhole_ = start[nBuckets];
+    sorted_.resize(n);
+    for (auto& coordinate : at_)
     {
-        order[start[in[k]]++] = k;
+        coordinate.resize(n);
     }
-    return order;
-}
-
-void Foam::markerSet::makeStencils()
-{
-    const label each = 24;
-    whole_.clear();
-    cut_.clear();
-    wholeFirst_.resize(6 * X().size() + 6);
-    wholeWeights_.resize(each * X().size() + each);
-    if (X().empty()) return;
-
-    for (const label k : alongMemory())
+    for (label k = 0; k < n; ++k)
     {
-        const markerWeights w(weightsAt(X()[k]));
-        if (makeWhole(w, &wholeFirst_[6 * whole_.size()],
-                      &wholeWeights_[each * whole_.size()]))
+        const label to = start[in[k]]++;
+        sorted_[to] = k;
+        for (direction d = 0; d < 3; ++d)
         {
-            whole_.push_back(k);
-        }
-        else
-        {
-            cut_.emplace_back();
-            cut_.back().marker = k;
-            makeCut(X()[k], w, cut_.back());
+            at_[d][to] = place[k][d];
         }
     }
 }
 
 // ---- sums over the points of this rank
 
-// visit(marker, component, field, first point in the field's memory, weights along
-// x, y and z) for some whole markers. Rows are fetched some markers ahead, as they
-// lie all over memory
+// visit(marker, component, first point, steps to the next row and layer, factor of the
+// field, weights along x, y and z) for some whole markers. Rows are fetched some markers
+// ahead, as they lie all over memory
 template<int n, class Places, class Visit>
 void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
                                 const label end, Visit visit) const
 {
-    const label nWhole = whole_.size(), ahead = 6;
-    const label* first = wholeFirst_.data() + 6 * begin;
-    const auto firstPoint =
-        [](const label* f, const direction d, const Places& v)
+    const label ahead = 6, most = weightBatch::n;
+    for (label b = begin; b < end; b += most)
     {
-        return f[d == 0 ? 0 : 3] + v.row * f[d == 1 ? 1 : 4] +
-               v.layer * f[d == 2 ? 2 : 5];
-    };
-    for (label k = begin; k < end; ++k, first += 6)
-    {
-        if (k + ahead < nWhole)
+        const label size = min(most, end - b);
+        const weightBatch w(*this, b, size);
+        for (const Places& v : fields)
         {
-            for (const Places& v : fields)
+            for (direction d = 0; d < 3; ++d)
             {
-                for (direction d = 0; d < 3; ++d)
+                const int x = d == 0 ? 0 : 3, y = d == 1 ? 1 : 4,
+                          z = d == 2 ? 2 : 5;
+                const std::ptrdiff_t row = v.row, layer = v.layer;
+                const labelVector& lo = grid_.box().lo;
+                std::ptrdiff_t at[most];
+                for (label k = 0; k < size; ++k)
                 {
-                    const scalar* p =
-                        v.first[d] + firstPoint(first + 6 * ahead, d, v);
-                    for (int z = 0; z < n; ++z)
+                    at[k] = label(w.lowest[x][k]) - lo.x() +
+                            row * (label(w.lowest[y][k]) - lo.y()) +
+                            layer * (label(w.lowest[z][k]) - lo.z());
+                }
+                for (label k = -ahead; k < size; ++k)
+                {
+                    if (k + ahead < size)
                     {
-                        for (int y = 0; y < n; ++y)
+                        const scalar* p = v.first[d] + at[k + ahead];
+                        for (int j = 0; j < n * n; ++j)
                         {
-                            __builtin_prefetch(p + z * v.layer + y * v.row);
-                            __builtin_prefetch(p + 3 + z * v.layer + y * v.row);
+                            const scalar* r = p + j / n * layer + j % n * row;
+                            __builtin_prefetch(r);
+                            __builtin_prefetch(r + 3);
                         }
                     }
+                    if (k < 0) continue;
+                    const fourValues wx = {w.weight[0][x][k], w.weight[1][x][k],
+                                           w.weight[2][x][k],
+                                           w.weight[3][x][k]};
+                    scalar wy[n], wz[n];
+                    for (int j = 0; j < n; ++j)
+                    {
+                        wy[j] = w.weight[j][y][k];
+                        wz[j] = w.weight[j][z][k];
+                    }
+                    visit(sorted_[b + k], d, v.first[d] + at[k], row, layer,
+                          v.factor, wx, wy, wz);
                 }
-            }
-        }
-        const scalar* w = &wholeWeights_[24 * k];
-        for (direction d = 0; d < 3; ++d)
-        {
-            const scalar* wx = w + 4 * (d == 0 ? 0 : 3);
-            const scalar* wy = w + 4 * (d == 1 ? 1 : 4);
-            const scalar* wz = w + 4 * (d == 2 ? 2 : 5);
-            for (const Places& v : fields)
-            {
-                visit(whole_[k], d, v, firstPoint(first, d, v), wx, wy, wz);
             }
         }
     }
 }
 
-// visit(marker, component, field, its four points in a row, their weights, first
-// point in the field's memory of the row, weight of the row) for all cut markers
-template<class Places, class Visit>
-void Foam::markerSet::eachCutRow(const List<Places>& fields, Visit visit) const
+// visit(marker, component, field's first point, its rows, factor of the field) for all
+// cut markers
+template<int n, class Places, class Visit>
+void Foam::markerSet::eachCut(const List<Places>& fields, Visit visit) const
 {
-    const label n = kernel_.nPoints(), nCut = cut_.size(), ahead = 3;
-    for (label i = 0; i < nCut; ++i)
+    const label all = label(sorted_.size());
+    for (label b = nWhole_; b < all; b += weightBatch::n)
     {
-        const cutMarker& c = cut_[i];
-        const cutMarker& next = cut_[min(i + ahead, nCut - 1)];
-        for (direction d = 0; d < 3; ++d)
+        const label size = min(weightBatch::n, all - b);
+        const weightBatch w(*this, b, size);
+        for (label i = 0; i < size; ++i)
         {
-            const int x = d == 0 ? 0 : 3, y = d == 1 ? 1 : 4,
-                      z = d == 2 ? 2 : 5;
-            for (const Places& v : fields)
+            cutMarker c;
+            cut(w, i, c);
+            for (direction d = 0; d < 3; ++d)
             {
-                for (label k = 0; k < n; ++k)
+                const int x = d == 0 ? 0 : 3, y = d == 1 ? 1 : 4,
+                          z = d == 2 ? 2 : 5;
+                cutRows rows;
+                rows.x = c.at[x];
+                rows.weightX = c.weight[x];
+                rows.inLine = c.at[x][3] == c.at[x][0] + 3;
+                for (const Places& v : fields)
                 {
-                    for (label j = 0; j < n; ++j)
+                    const std::ptrdiff_t row = v.row, layer = v.layer;
+                    rows.count = 0;
+                    for (int j = 0; j < n * n; ++j)
                     {
-                        const scalar* coming = v.first[d] +
-                                               v.row * next.at[y][j] +
-                                               v.layer * next.at[z][k];
-                        __builtin_prefetch(coming + next.at[x][0]);
-                        __builtin_prefetch(coming + next.at[x][n - 1]);
-                        const scalar ofRow = c.weight[y][j] * c.weight[z][k];
-                        if (ofRow == 0) continue;
-                        visit(c.marker, d, v, c.at[x], c.weight[x],
-                              v.row * c.at[y][j] + v.layer * c.at[z][k], ofRow);
+                        const int k = j / n, l = j % n;
+                        rows.at[rows.count] =
+                            row * c.at[y][l] + layer * c.at[z][k];
+                        rows.weight[rows.count] =
+                            c.weight[y][l] * c.weight[z][k];
+                        rows.count += rows.weight[rows.count] != 0;
                     }
+                    visit(sorted_[b + i], d, v.first[d], rows, v.factor);
                 }
             }
         }
@@ -254,41 +285,48 @@ void Foam::markerSet::gatherWhole(const List<staggeredView>& u,
                                   const label begin, const label end,
                                   UList<vector>& U) const
 {
-    eachWhole<n>(
-        u, begin, end,
-        [&](const label marker, const direction d, const staggeredView& v,
-            const label first, const scalar* wx, const scalar* wy,
-            const scalar* wz)
-        {
-            const scalar* p = v.first[d] + first;
-            fourValues sum = {};
-            for (int z = 0; z < n; ++z)
-            {
-                for (int y = 0; y < n; ++y)
-                {
-                    sum += wy[y] * wz[z] * fourAt(p + z * v.layer + y * v.row);
-                }
-            }
-            sum *= fourAt(wx);
-            U[marker][d] += v.factor * (sum[0] + sum[1] + sum[2] + sum[3]);
-        });
+    eachWhole<n>(u, begin, end,
+                 [&](const label marker, const direction d, const scalar* p,
+                     const std::ptrdiff_t row, const std::ptrdiff_t layer,
+                     const scalar factor, const fourValues& wx,
+                     const scalar* wy, const scalar* wz)
+                 {
+                     fourValues sum = {};
+                     for (int z = 0; z < n; ++z)
+                     {
+                         fourValues ofLayer = {};
+                         for (int y = 0; y < n; ++y)
+                         {
+                             ofLayer += wy[y] * fourAt(p + z * layer + y * row);
+                         }
+                         sum += wz[z] * ofLayer;
+                     }
+                     sum *= wx;
+                     U[marker][d] +=
+                         factor * (sum[0] + sum[1] + sum[2] + sum[3]);
+                 });
 }
 
+template<int n>
 void Foam::markerSet::gatherCut(const List<staggeredView>& u,
                                 UList<vector>& U) const
 {
-    eachCutRow(u,
-               [&](const label marker, const direction d,
-                   const staggeredView& v, const label* at,
-                   const scalar* weight, const label row, const scalar ofRow)
+    eachCut<n>(u,
+               [&](const label marker, const direction d, const scalar* first,
+                   const cutRows& rows, const scalar factor)
                {
-                   const scalar* p = v.first[d] + row;
-                   scalar sum = 0;
-                   for (int k = 0; k < 4; ++k)
+                   fourValues sum = {};
+                   for (int j = 0; j < rows.count; ++j)
                    {
-                       sum += weight[k] * p[at[k]];
+                       const scalar* p = first + rows.at[j];
+                       const label* x = rows.x;
+                       sum += rows.weight[j] *
+                              (rows.inLine ? fourAt(p + x[0])
+                                           : fourValues{p[x[0]], p[x[1]],
+                                                        p[x[2]], p[x[3]]});
                    }
-                   U[marker][d] += v.factor * ofRow * sum;
+                   sum *= fourAt(rows.weightX);
+                   U[marker][d] += factor * (sum[0] + sum[1] + sum[2] + sum[3]);
                });
 }
 
@@ -298,37 +336,46 @@ void Foam::markerSet::scatterWhole(const UList<vector>& F,
                                    const label begin, const label end) const
 {
     eachWhole<n>(f, begin, end,
-                 [&](const label marker, const direction d,
-                     const staggeredTarget& f, const label first,
-                     const scalar* wx, const scalar* wy, const scalar* wz)
+                 [&](const label marker, const direction d, scalar* p,
+                     const std::ptrdiff_t row, const std::ptrdiff_t layer,
+                     const scalar factor, const fourValues& wx,
+                     const scalar* wy, const scalar* wz)
                  {
-                     scalar* p = f.first[d] + first;
-                     const fourValues value =
-                         f.factor * F[marker][d] * fourAt(wx);
+                     const fourValues value = factor * F[marker][d] * wx;
                      for (int z = 0; z < n; ++z)
                      {
+                         const fourValues ofLayer = wz[z] * value;
                          for (int y = 0; y < n; ++y)
                          {
-                             fourAt(p + z * f.layer + y * f.row) +=
-                                 wy[y] * wz[z] * value;
+                             fourAt(p + z * layer + y * row) += wy[y] * ofLayer;
                          }
                      }
                  });
 }
 
+template<int n>
 void Foam::markerSet::scatterCut(const UList<vector>& F,
                                  const List<staggeredTarget>& f) const
 {
-    eachCutRow(f,
-               [&](const label marker, const direction d,
-                   const staggeredTarget& f, const label* at,
-                   const scalar* weight, const label row, const scalar ofRow)
+    eachCut<n>(f,
+               [&](const label marker, const direction d, scalar* first,
+                   const cutRows& rows, const scalar factor)
                {
-                   scalar* p = f.first[d] + row;
-                   const scalar value = f.factor * ofRow * F[marker][d];
-                   for (int k = 0; k < 4; ++k)
+                   const fourValues value =
+                       factor * F[marker][d] * fourAt(rows.weightX);
+                   for (int j = 0; j < rows.count; ++j)
                    {
-                       p[at[k]] += value * weight[k];
+                       scalar* p = first + rows.at[j];
+                       const fourValues values = rows.weight[j] * value;
+                       if (rows.inLine)
+                       {
+                           fourAt(p + rows.x[0]) += values;
+                           continue;
+                       }
+                       for (int k = 0; k < 4; ++k)
+                       {
+                           p[rows.x[k]] += values[k];
+                       }
                    }
                });
 }
@@ -336,19 +383,23 @@ void Foam::markerSet::scatterCut(const UList<vector>& F,
 // Markers of a layer of cells reach two layers down and up: values at a layer are
 // complete when the forces of the third layer above have been added
 template<int n>
-void Foam::markerSet::sweep(const UList<vector>& F,
-                            const List<staggeredTarget>& f,
-                            const List<staggeredView>& u,
-                            UList<vector>& U) const
+void Foam::markerSet::sweepAll(const UList<vector>& F,
+                               const List<staggeredTarget>& f,
+                               const List<staggeredView>& u,
+                               UList<vector>& U) const
 {
-    const auto layerOf = [&](const label k)
-    { return grid_.cellAt(X()[whole_[k]].z(), 2); };
-    const label all = whole_.size();
-    label scattered = f.empty() ? all : 0, gathered = u.empty() ? all : 0;
-    while (scattered < all)
+    const auto layerOf = [&](const label k) { return label(at_[2][k]); };
+    label scattered = 0, gathered = 0;
+    scatterCut<n>(F, f);
+    if (u.empty())
+    {
+        scatterWhole<n>(F, f, 0, nWhole_);
+        return;
+    }
+    while (scattered < nWhole_ && f.size())
     {
         const label layer = layerOf(scattered), begin = scattered;
-        while (scattered < all && layerOf(scattered) == layer)
+        while (scattered < nWhole_ && layerOf(scattered) == layer)
             ++scattered;
         scatterWhole<n>(F, f, begin, scattered);
         const label first = gathered;
@@ -356,7 +407,8 @@ void Foam::markerSet::sweep(const UList<vector>& F,
             ++gathered;
         gatherWhole<n>(u, first, gathered, U);
     }
-    gatherWhole<n>(u, gathered, all, U);
+    gatherWhole<n>(u, gathered, nWhole_, U);
+    gatherCut<n>(u, U);
 }
 
 void Foam::markerSet::sweep(const UList<vector>& F,
@@ -370,10 +422,8 @@ void Foam::markerSet::sweep(const UList<vector>& F,
         field.factor /= grid_.cellVolume();
     }
     U = vector(Zero);
-    scatterCut(F, perVolume);
     if (kernel_.nPoints() == 3)
-        sweep<3>(F, perVolume, u, U);
+        sweepAll<3>(F, perVolume, u, U);
     else
-        sweep<4>(F, perVolume, u, U);
-    gatherCut(u, U);
+        sweepAll<4>(F, perVolume, u, U);
 }

@@ -86,9 +86,12 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
     {
         if (grid_.periodic(d)) perLength[d] = 1 / length[d];
     }
+    // How many are within range?
     const auto findSquares = [&](const vector& from)
     {
         const label n = others.size();
+        const scalar limit = sqr(range_);
+        label within = 0;
         square.resize(n);
         double* sum = square.data();
         const double *bx = around[0].data(), *by = around[1].data(),
@@ -103,7 +106,9 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
             const double y = image(a.y() - by[q], L.y(), perL.y());
             const double z = image(a.z() - bz[q], L.z(), perL.z());
             sum[q] = x * x + y * y + z * z;
+            within += sum[q] < limit;
         }
+        return within;
     };
     for (label bin = 0; bin < bins.count(); ++bin)
     {
@@ -141,8 +146,8 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
         for (label p = binBegin[bin]; p < binEnd[bin] && others.size(); ++p)
         {
             const label a = sorted[p];
+            if (!findSquares(x[a])) continue;
             const bool held = points_.holds(a);
-            findSquares(x[a]);
             for (size_t q = 0; q < others.size(); ++q)
             {
                 if (!(square[q] < sqr(range_))) continue;

@@ -1,0 +1,77 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "surfacePoints.H"
+#include <cmath>
+
+Foam::surfacePoints::surfacePoints(const label degree, const label nTheta)
+    : grid_(degree, nTheta),
+      onGrid_(3 * grid_.nPoints())
+{
+    const label nPhi = grid_.nPhi();
+    for (label i = 0, k = 0; i < grid_.nTheta(); ++i)
+    {
+        label step = 1;
+        for (label s = 2; s * std::sin(grid_.theta(i)) < 1.15 && s < nPhi; ++s)
+        {
+            if (nPhi % (2 * s) == 0) step = s;
+        }
+        for (label j = 0; j < nPhi; ++j, ++k)
+        {
+            if (j % step) continue;
+            used_.push_back(k);
+            weights_.push_back(step * grid_.weight(k));
+        }
+    }
+}
+
+Foam::vector Foam::surfacePoints::at(const std::vector<double>& onGrid,
+                                     const label k) const
+{
+    const double* p = onGrid.data() + used_[k];
+    const label n = grid_.nPoints();
+    return vector(p[0], p[n], p[2 * n]);
+}
+
+void Foam::surfacePoints::values(const double* coeffs, vector* v) const
+{
+    grid_.values(coeffs, onGrid_.data());
+    for (label k = 0; k < size(); ++k)
+    {
+        v[k] = at(onGrid_, k);
+    }
+}
+
+void Foam::surfacePoints::areas(const double* coeffs, vector* dS) const
+{
+    xt_.resize(onGrid_.size());
+    xp_.resize(onGrid_.size());
+    grid_.gradient(coeffs, xt_.data(), xp_.data());
+    for (label k = 0; k < size(); ++k)
+    {
+        dS[k] = weights_[k] * (at(xt_, k) ^ at(xp_, k));
+    }
+}
+
+void Foam::surfacePoints::valuesAdjoint(const vector* v, double* coeffs) const
+{
+    const label n = grid_.nPoints();
+    std::fill(onGrid_.begin(), onGrid_.end(), 0);
+    for (label k = 0; k < size(); ++k)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            onGrid_[d * n + used_[k]] = v[k][d];
+        }
+    }
+    grid_.valuesAdjoint(onGrid_.data(), coeffs);
+}
+
+void Foam::surfacePoints::analysis(const vector* v, double* coeffs) const
+{
+    std::vector<vector> weighted(v, v + size());
+    for (label k = 0; k < size(); ++k)
+    {
+        weighted[k] *= weights_[k];
+    }
+    valuesAdjoint(weighted.data(), coeffs);
+}
