@@ -117,6 +117,37 @@ bool Foam::bodyGroup::readGravity(const dictionary& dict) const
     return on;
 }
 
+Foam::bodyGroup::nearFieldEntry
+Foam::bodyGroup::readNearField(const dictionary& dict,
+                               const string& never) const
+{
+    enum choice
+    {
+        AUTO,
+        ON,
+        OFF
+    };
+    const choice wanted =
+        readEnum(Enum<choice>({{AUTO, "auto"}, {ON, "on"}, {OFF, "off"}}), dict,
+                 "nearField", AUTO);
+    string whyNot(never);
+    const vector& h = scene_.grid.h();
+    if (whyNot.empty() && cmptMax(h) > 1.001 * cmptMin(h))
+    {
+        whyNot = "cells that are not cubes";
+    }
+    if (whyNot.empty() && !scene_.forceAtFaces)
+    {
+        whyNot = "the solver takes the force as an average of each cell";
+    }
+    if (wanted == ON && !whyNot.empty())
+    {
+        refuse(dict, "nearField", "on", "auto or off: " + whyNot);
+    }
+    if (wanted == OFF) whyNot = "off";
+    return {wanted == ON, wanted == AUTO && whyNot.empty(), whyNot};
+}
+
 void Foam::bodyGroup::addWeight(const bool on, const scalar excess)
 {
     const bool acts = on && excess != 0;

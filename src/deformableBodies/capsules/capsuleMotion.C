@@ -113,41 +113,24 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
 void Foam::capsuleGroup::setNearField(const dictionary& dict,
                                       const scalar extent)
 {
-    enum choice
-    {
-        AUTO,
-        ON,
-        OFF
-    };
-    const Enum<choice> words({{AUTO, "auto"}, {ON, "on"}, {OFF, "off"}});
-    const choice wanted = readEnum(words, dict, "nearField", AUTO);
-
-    // Where it cannot be right
-    const vector& h = scene_.grid.h();
     string never;
     if (!twoWay())
         never = "coupling oneWay: no load acts on the fluid";
-    else if (cmptMax(h) > 1.001 * cmptMin(h))
-        never = "cells that are not cubes";
-    else if (!scene_.forceAtFaces)
-        never = "the solver takes the force as an average of each cell";
     else if (dict.getOrDefault<word>("motion", "auto") == "penalty")
         never = "motion penalty";
-    if (wanted == ON && !never.empty())
-    {
-        refuse(dict, "nearField", "on", "auto or off: " + never);
-    }
+    const nearFieldEntry entry(readNearField(dict, never));
 
     // Where it is not known to be better
     const scalar stiffness = max(membrane_->model().shearModulus(),
                                  membrane_->model().areaModulus() / 3);
+    const scalar h = scene_.grid.h().x();
     const scalar inertia =
-        scene_.rho * stiffness * sqr(h.x() / scene_.mu) / radius_;
+        scene_.rho * stiffness * sqr(h / scene_.mu) / radius_;
     const scalar step = scene_.deltaT * stiffness / (scene_.mu * radius_);
     string unknown;
-    if (radius_ < 2.5 * h.x() && step > 0.8)
+    if (radius_ < 2.5 * h && step > 0.8)
         unknown = "deltaT K/(mu a) = " + Foam::name(step) +
-                  " at radius/h = " + Foam::name(radius_ / h.x()) +
+                  " at radius/h = " + Foam::name(radius_ / h) +
                   ", stable up to 0.8, or from radius/h = 2.5 on";
     else if (inertia > maxInertia)
         unknown = "rho K h^2/(mu^2 a) = " + Foam::name(inertia) +
@@ -157,15 +140,12 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
         unknown = "viscosityRatio " + Foam::name(viscosityRatio_) +
                   ", known up to " + Foam::name(maxViscosityRatio);
 
-    const bool on =
-        wanted == ON || (wanted == AUTO && never.empty() && unknown.empty());
-    string note(wanted == OFF ? string("off") : never);
-    if (note.empty()) note = unknown;
+    const bool on = entry.on || (entry.automatic && unknown.empty());
+    string note(entry.whyNot.empty() ? unknown : entry.whyNot);
     if (on)
     {
-        nearField_.reset(new capsuleNearField(harmonics().degree(),
-                                              scene_.kernel.type(), h.x(),
-                                              scene_.mu, extent));
+        nearField_.reset(new capsuleNearField(
+            harmonics().degree(), scene_.kernel.type(), h, scene_.mu, extent));
         nearFieldKnown_ = unknown.empty();
         note = Foam::name(nearField_->nPoints()) + " points" +
                (unknown.empty() ? string("") : "; beyond what is known: ") +

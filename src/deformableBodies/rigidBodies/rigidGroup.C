@@ -67,7 +67,7 @@ Foam::rigidGroup::rigidGroup(const word& name, const dictionary& dict,
         refuse(dict, "markerSpacing", Foam::name(spacing), "0.5 to 1.5");
     }
     judgeSize(dict);
-    readNearField(dict, spacing);
+    setNearField(dict, spacing);
     makeMarkers(spacing);
     readPlaces(dict, {shape_.semiAxes(), 0}, shape_.volume(), 0, shape_.axis());
 
@@ -107,29 +107,11 @@ void Foam::rigidGroup::judgeSize(const dictionary& dict) const
             "it meets its own image or both sides"}});
 }
 
-void Foam::rigidGroup::readNearField(const dictionary& dict,
-                                     const scalar spacing)
+void Foam::rigidGroup::setNearField(const dictionary& dict,
+                                    const scalar spacing)
 {
-    enum choice
-    {
-        AUTO,
-        ON,
-        OFF
-    };
-    const choice wanted =
-        readEnum(Enum<choice>({{AUTO, "auto"}, {ON, "on"}, {OFF, "off"}}), dict,
-                 "nearField", AUTO);
-    const vector& h = scene_.grid.h();
-    string never;
-    if (cmptMax(h) > 1.001 * cmptMin(h))
-        never = "cells that are not cubes";
-    else if (!scene_.forceAtFaces)
-        never = "the solver takes the force as an average of each cell";
-    if (wanted == ON && !never.empty())
-    {
-        refuse(dict, "nearField", "on", "auto or off: " + never);
-    }
-    const bool on = wanted == ON || (wanted == AUTO && never.empty());
+    const nearFieldEntry entry(readNearField(dict, ""));
+    const bool on = entry.whyNot.empty();
     if (on)
     {
         nearField_.reset(new nearField(scene_.kernel.type(), h_, scene_.mu,
@@ -139,14 +121,14 @@ void Foam::rigidGroup::readNearField(const dictionary& dict,
     {
         refuse(dict, "densityRatio", Foam::name(densityRatio_),
                "1 and greater without the near field (" +
-                   (never.empty() ? string("nearField off") : never) +
+                   (entry.whyNot == "off" ? string("nearField off")
+                                          : entry.whyNot) +
                    "): the exchange with a lighter body grows");
     }
     scene_.effects.declare(
         "nearField", on,
-        on              ? string("what the mesh withholds from rigid bodies")
-        : never.empty() ? string("off")
-                        : never);
+        on ? string("what the mesh withholds from rigid bodies")
+           : entry.whyNot);
 }
 
 // As many as make the spacing, and what they are to the kernel and to each other

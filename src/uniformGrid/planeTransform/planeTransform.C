@@ -98,7 +98,7 @@ double* zeros(const label n)
 //- First of the items that rank holds when n are dealt to all ranks
 label firstOf(const label n, const label rank)
 {
-    return (n * rank) / Pstream::nProcs();
+    return planeTransform::firstDealt(n, rank, Pstream::nProcs());
 }
 
 //- The rank that holds item i of n
@@ -115,7 +115,47 @@ label rankOf(const label n, const label i)
     }
     return rank;
 }
+
+//- The direction of whose planes most cells are on their rank already; where there
+//  are equals the one that is given (collective)
+direction sweptByCut(const uniformGrid& grid, const List<labelVector>& cells,
+                     const direction given)
+{
+    labelList own(3, Zero);
+    const label me = Pstream::myProcNo();
+    for (direction d = 0; d < 3; ++d)
+    {
+        const label n = grid.n()[d], begin = firstOf(n, me),
+                    end = firstOf(n, me + 1);
+        for (const labelVector& c : cells)
+        {
+            own[d] += c[d] >= begin && c[d] < end;
+        }
+        reduce(own[d], sumOp<label>());
+    }
+    direction best = given;
+    for (const direction d : {2, 1, 0})
+    {
+        if (grid.n()[d] > 1 && own[d] > own[best]) best = d;
+    }
+    return best;
+}
 } // namespace
+
+// A walled direction: its sine and cosine transforms cost twice a periodic one. y first,
+// as walls usually are there
+Foam::direction Foam::planeTransform::swept(const labelVector& n,
+                                            const FixedList<bool, 3>& periodic)
+{
+    direction third = 0;
+    for (const direction d : {2, 0, 1})
+    {
+        const bool walled = !periodic[d] && n[d] > 1;
+        const bool longer = n[d] >= n[third];
+        if (walled || (periodic[third] && longer)) third = d;
+    }
+    return third;
+}
 
 Foam::planeTransform::planeTransform(const uniformGrid& grid,
                                      const FixedList<sideConditions, 3>& sides,
@@ -123,14 +163,15 @@ Foam::planeTransform::planeTransform(const uniformGrid& grid,
                                      const labelUList& places)
     : plans_(new plans)
 {
-    // A walled direction is the third: its sine and cosine transforms cost
-    // twice a periodic one. y first, as walls usually are there
-    third = 0;
-    for (const direction d : {2, 0, 1})
+    FixedList<bool, 3> periodic;
+    for (direction d = 0; d < 3; ++d)
     {
-        const bool walled = !sides[d].periodic && grid.n()[d] > 1;
-        const bool longer = grid.n()[d] >= grid.n()[third];
-        if (walled || (sides[third].periodic && longer)) third = d;
+        periodic[d] = sides[d].periodic;
+    }
+    third = swept(grid.n(), periodic);
+    if (periodic[0] && periodic[1] && periodic[2] && Pstream::parRun())
+    {
+        third = sweptByCut(grid, cells, third);
     }
     for (direction d = 0; d < 3; ++d)
     {

@@ -4,6 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "boxLattice.H"
 #include "cyclicPolyPatch.H"
+#include "planeTransform.H"
 
 namespace Foam
 {
@@ -15,22 +16,61 @@ namespace
 {
 using namespace Foam;
 
-//- Faces of the largest block towards other ranks
-int64_t surface(const labelVector& cells, const labelVector& blocks,
-                const FixedList<bool, 3>& periodic)
+//- Values that the busiest rank sends in a step: those beside its cuts seven times, and
+//  those of planes of the fast transform that other ranks hold, there and back
+int64_t sent(const labelVector& cells, const labelVector& blocks,
+             const FixedList<bool, 3>& periodic, const direction swept)
 {
-    int64_t faces = 0;
+    const label ranks = blocks.x() * blocks.y() * blocks.z();
+    int64_t most = 0;
+    for (label rank = 0; rank < ranks; ++rank)
+    {
+        const labelVector at(rank % blocks.x(), rank / blocks.x() % blocks.y(),
+                             rank / blocks.x() / blocks.y());
+        labelVector lo, size;
+        for (direction d = 0; d < 3; ++d)
+        {
+            const label least = cells[d] / blocks[d],
+                        larger = cells[d] % blocks[d];
+            lo[d] = at[d] * least + min(at[d], larger);
+            size[d] = least + (at[d] < larger ? 1 : 0);
+        }
+        const int64_t all = int64_t(size.x()) * size.y() * size.z();
+        int64_t faces = 0;
+        for (direction d = 0; d < 3; ++d)
+        {
+            const int sides = blocks[d] == 1 ? 0
+                              : periodic[d]
+                                  ? 2
+                                  : (at[d] > 0) + (at[d] + 1 < blocks[d]);
+            faces += sides * all / size[d];
+        }
+        const label n = cells[swept];
+        const label begin =
+            max(lo[swept], planeTransform::firstDealt(n, rank, ranks));
+        const label end = min(lo[swept] + size[swept],
+                              planeTransform::firstDealt(n, rank + 1, ranks));
+        const int64_t own = max(end - begin, 0) * (all / size[swept]);
+        most = max(most, 7 * faces + 2 * (all - own));
+    }
+    return most;
+}
+
+//- The same with the direction that will be swept
+int64_t sent(const labelVector& cells, const labelVector& blocks,
+             const FixedList<bool, 3>& periodic)
+{
+    int64_t least =
+        sent(cells, blocks, periodic, planeTransform::swept(cells, periodic));
+    if (!periodic[0] || !periodic[1] || !periodic[2]) return least;
     for (direction d = 0; d < 3; ++d)
     {
-        if (blocks[d] == 1) continue;
-        int64_t area = blocks[d] == 2 && !periodic[d] ? 1 : 2;
-        for (direction e = 0; e < 3; ++e)
+        if (cells[d] > 1)
         {
-            if (e != d) area *= (cells[e] - 1) / blocks[e] + 1;
+            least = min(least, sent(cells, blocks, periodic, d));
         }
-        faces += area;
     }
-    return faces;
+    return least;
 }
 
 //- Directions in which the mesh has cyclic patches (collective)
@@ -79,7 +119,7 @@ Foam::labelVector Foam::uniformBoxes::counts(const labelVector& cells,
             const labelVector n(x, y, ranks / x / y);
             if (ranks / x % y || n.z() > cells.z()) continue;
             if (best == labelVector::zero ||
-                surface(cells, n, periodic) < surface(cells, best, periodic))
+                sent(cells, n, periodic) < sent(cells, best, periodic))
             {
                 best = n;
             }
