@@ -127,6 +127,21 @@ Foam::indexExchange::indexExchange(const labelUList& rank,
     }
 }
 
+void Foam::indexExchange::send(const label rank, const scalar* values,
+                               const label n)
+{
+    UOPstream::write(Pstream::commsTypes::nonBlocking, rank,
+                     reinterpret_cast<const char*>(values), n * sizeof(scalar));
+    count(n * sizeof(scalar));
+}
+
+void Foam::indexExchange::receive(const label rank, scalar* values,
+                                  const label n)
+{
+    UIPstream::read(Pstream::commsTypes::nonBlocking, rank,
+                    reinterpret_cast<char*>(values), n * sizeof(scalar));
+}
+
 void Foam::indexExchange::transfer(const bool forward, const scalar* src,
                                    scalar* dst) const
 {
@@ -136,9 +151,7 @@ void Foam::indexExchange::transfer(const bool forward, const scalar* src,
     {
         if (const label n = forward ? r.there : r.here)
         {
-            UIPstream::read(Pstream::commsTypes::nonBlocking, r.rank,
-                            reinterpret_cast<char*>(r.in.data()),
-                            n * sizeof(scalar));
+            receive(r.rank, r.in.data(), n);
         }
     }
     for (const route& r : routes_)
@@ -151,10 +164,7 @@ void Foam::indexExchange::transfer(const bool forward, const scalar* src,
         }
         if (const label n = forward ? r.here : r.there)
         {
-            UOPstream::write(Pstream::commsTypes::nonBlocking, r.rank,
-                             reinterpret_cast<const char*>(r.out.cdata()),
-                             n * sizeof(scalar));
-            count(n * sizeof(scalar));
+            send(r.rank, r.out.cdata(), n);
         }
     }
 

@@ -218,6 +218,7 @@ Foam::planeTransform::planeTransform(const uniformGrid& grid,
     }
     toPlanes_.reset(new indexExchange(rank, place, source));
     toPlane_.resize(nPlanes);
+    arrived_.setSize(nPlanes);
     for (label p = 0; p < nPlanes; ++p)
     {
         toPlane_[p].keep(ownSource[p], ownPlace[p]);
@@ -226,19 +227,6 @@ Foam::planeTransform::planeTransform(const uniformGrid& grid,
     if (Pstream::parRun())
     {
         // Memory of the rows: [third][slow][fast] with this rank's slow modes
-        rank.setSize(nPlanes * planeSize_);
-        place.setSize(rank.size());
-        forAll(rank, i)
-        {
-            const label f = i % rowLength;
-            const label s = (i / rowLength) % nSlowModes;
-            const label p = firstPlane + i / planeSize_;
-            rank[i] = rankOf(nSlowModes, s);
-            const label first = firstOf(nSlowModes, rank[i]);
-            const label n = firstOf(nSlowModes, rank[i] + 1) - first;
-            place[i] = f + rowLength * (s - first + n * p);
-        }
-        toRows_.reset(new indexExchange(rank, place));
         plans_->rows = zeros(nThird * nRows * rowLength);
     }
 
@@ -350,29 +338,97 @@ void Foam::planeTransform::transformBack(double* plane)
                      complexAt(plane));
 }
 
+Foam::planeTransform::part Foam::planeTransform::ofRank(const label p,
+                                                        const label rank)
+{
+    const label first = firstOf(nSlowModes, rank),
+                n = firstOf(nSlowModes, rank + 1) - first;
+    return {plans_->planes + p * planeSize_ + first * rowLength, n * rowLength};
+}
+
+Foam::planeTransform::part Foam::planeTransform::ofPlane(const label plane)
+{
+    const label n = nRows * rowLength;
+    return {plans_->rows + plane * n, n};
+}
+
 void Foam::planeTransform::forward(const scalar* x)
 {
     toPlanes_->forward(x, plans_->planes);
-    double* plane = plans_->planes;
-    for (const indexExchange& toPlane : toPlane_)
+    const label me = Pstream::myProcNo(), firstPlane = firstOf(nThird, me),
+                nRanks = Pstream::parRun() ? Pstream::nProcs() : 0,
+                pending = Pstream::nRequests();
+    for (label plane = 0; plane < nThird && nRanks; ++plane)
     {
-        toPlane.forward(x, plane);
-        transform(plane);
-        plane += planeSize_;
+        const label rank = rankOf(nThird, plane);
+        const part to(ofPlane(plane));
+        if (rank != me && to.n) indexExchange::receive(rank, to.values, to.n);
     }
-    if (toRows_) toRows_->forward(plans_->planes, plans_->rows);
+    for (size_t p = 0; p < toPlane_.size(); ++p)
+    {
+        double* plane = plans_->planes + p * planeSize_;
+        toPlane_[p].forward(x, plane);
+        transform(plane);
+        for (label rank = 0; rank < nRanks; ++rank)
+        {
+            const part from(ofRank(p, rank));
+            if (rank == me)
+            {
+                std::copy_n(from.values, from.n,
+                            ofPlane(firstPlane + p).values);
+            }
+            else if (from.n)
+            {
+                indexExchange::send(rank, from.values, from.n);
+            }
+        }
+    }
+    Pstream::waitRequests(pending);
 }
 
 void Foam::planeTransform::backward(scalar* x)
 {
-    if (toRows_) toRows_->backward(plans_->rows, plans_->planes);
-    double* plane = plans_->planes;
-    for (const indexExchange& toPlane : toPlane_)
+    const label me = Pstream::myProcNo(), firstPlane = firstOf(nThird, me),
+                nRanks = Pstream::parRun() ? Pstream::nProcs() : 0,
+                pending = Pstream::nRequests();
+    for (size_t p = 0; p < toPlane_.size(); ++p)
     {
-        transformBack(plane);
-        toPlane.backward(plane, x);
-        plane += planeSize_;
+        for (label rank = 0; rank < nRanks; ++rank)
+        {
+            const part to(ofRank(p, rank));
+            if (rank != me && to.n)
+            {
+                indexExchange::receive(rank, to.values, to.n);
+            }
+        }
+        arrived_[p] = Pstream::nRequests();
     }
+    for (label plane = 0; plane < nThird && nRanks; ++plane)
+    {
+        const label rank = rankOf(nThird, plane);
+        const part from(ofPlane(plane));
+        if (rank == me)
+        {
+            std::copy_n(from.values, from.n,
+                        ofRank(plane - firstPlane, me).values);
+        }
+        else if (from.n)
+        {
+            indexExchange::send(rank, from.values, from.n);
+        }
+    }
+    label done = pending;
+    for (size_t p = 0; p < toPlane_.size(); ++p)
+    {
+        for (; done < arrived_[p]; ++done)
+        {
+            Pstream::waitRequest(done);
+        }
+        double* plane = plans_->planes + p * planeSize_;
+        transformBack(plane);
+        toPlane_[p].backward(plane, x);
+    }
+    Pstream::waitRequests(pending);
     toPlanes_->backward(plans_->planes, x);
 }
 
