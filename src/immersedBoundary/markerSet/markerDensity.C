@@ -3,6 +3,7 @@
 // How many lines of markers lie in one place
 
 #include "markerSet.H"
+#include "segmentDistance.H"
 
 namespace
 {
@@ -175,8 +176,7 @@ public:
 
 constexpr Foam::scalar Foam::markerSet::lineReach;
 
-// A line is not folded where all its parts run within 60 degrees of its chord, and
-// its periodic images are beyond reach
+// Nor is it where its periodic images are within reach
 Foam::scalarField Foam::markerSet::linesHere(const UList<vector>& X,
                                              const labelUList& line,
                                              const bool mayFold) const
@@ -192,24 +192,14 @@ Foam::scalarField Foam::markerSet::linesHere(const UList<vector>& X,
                 return true;
             }
         }
-        for (label k = begin; k + 1 < end; ++k)
-        {
-            const vector part(X[k + 1] - X[k]);
-            const scalar along = part & chord;
-            if (along <= 0 || 4 * sqr(along) < magSqr(part) * magSqr(chord))
-            {
-                return true;
-            }
-        }
-        return false;
+        return folded(SubList<vector>(X, end - begin, begin));
     };
     scalarField ids(3 * size());
     for (label begin = 0, end = 0; begin < line.size(); begin = end)
     {
         while (end < line.size() && line[end] == line[begin])
             ++end;
-        const bool folded =
-            mayFold && line[begin] >= 0 && isFolded(begin, end);
+        const bool folded = mayFold && line[begin] >= 0 && isFolded(begin, end);
         for (label k = begin; k < end; ++k)
         {
             ids[3 * k] = line[k];

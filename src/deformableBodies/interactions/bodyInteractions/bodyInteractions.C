@@ -4,6 +4,7 @@
 #include "dictionaryChecks.H"
 #include "mathematicalConstants.H"
 #include "resultFile.H"
+#include "segmentDistance.H"
 #include "wallPolyPatch.H"
 
 namespace
@@ -183,6 +184,15 @@ bool Foam::bodyInteractions::actBetween(const label group,
     return false;
 }
 
+bool Foam::bodyInteractions::linesMeet() const
+{
+    for (const interactionModel& model : models_)
+    {
+        if (model.range(false, false) > 0) return true;
+    }
+    return false;
+}
+
 bool Foam::bodyInteractions::others() const
 {
     size_t n = 0;
@@ -218,7 +228,10 @@ void Foam::bodyInteractions::compareBoxes()
         {
             const label number = group.mine()[i];
             find_[firstBody_[g] + number] = bodies_.size();
-            bodies_.push_back({g, i, number, false, 0, 0});
+            const bool mayFold = linesMeet() && !surfaces_[g];
+            bodies_.push_back({g, i, number, false,
+                               mayFold && folded(group.points(i).places), 0,
+                               0});
             boxes.append(group.bounds(i, false));
             const vector half(0.5 * boxes.last().span());
             centres.append(boxes.last().midpoint());
@@ -257,7 +270,8 @@ void Foam::bodyInteractions::compareBoxes()
     {
         vector inward;
         participant& p = bodies_[k];
-        p.near = own[k] > 0 || toWall(boxes[k].min(), inward) < reach ||
+        p.near = p.folded || own[k] > 0 ||
+                 toWall(boxes[k].min(), inward) < reach ||
                  toWall(boxes[k].max(), inward) < reach;
         anyNear_ = anyNear_ || p.near;
     }

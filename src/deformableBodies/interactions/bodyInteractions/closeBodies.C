@@ -20,7 +20,8 @@ void Foam::bodyInteractions::update()
     power_ = 0;
     if (!anyNear_) return;
 
-    // Of each point area vector, size, radius and body; velocity. Surfaces first
+    // Of each point area vector, size, radius, body, and place along a fibre that is
+    // folded, else -1; velocity. Surfaces first
     which_.clear();
     onward_.clear();
     part_.clear();
@@ -39,7 +40,7 @@ void Foam::bodyInteractions::update()
         const vectorField &x = points.places, &v = points.velocities;
         const auto append = [&](const label k, const scalar onward,
                                 const scalar part, const vector& area,
-                                const scalar size)
+                                const scalar size, const scalar along)
         {
             which_.append(k);
             onward_.append(onward);
@@ -49,7 +50,7 @@ void Foam::bodyInteractions::update()
             V.append(onward > 0 ? (1 - onward) * v[k] + onward * v[k + 1]
                                 : v[k]);
             facts.append({area.x(), area.y(), area.z(), size, radius,
-                          scalar(firstBody_[p.group] + p.number)});
+                          scalar(firstBody_[p.group] + p.number), along});
         };
         if (points.isSurface())
         {
@@ -62,7 +63,7 @@ void Foam::bodyInteractions::update()
                 area += points.areas[k];
                 size += mag(points.areas[k]);
                 if (size < enough && k + 1 < n) continue;
-                append(k, 0, 0, area, size);
+                append(k, 0, 0, area, size, -1);
                 area = Zero;
                 size = 0;
             }
@@ -71,6 +72,7 @@ void Foam::bodyInteractions::update()
         {
             const scalar h = cmptMax(grid_.h());
             const scalar apart = max(min(0.5 * h, 2 * radius), 0.1 * h);
+            scalar before = 0;
             for (label k = 0; k + 1 < x.size(); ++k)
             {
                 const scalar length = mag(x[k + 1] - x[k]);
@@ -80,8 +82,10 @@ void Foam::bodyInteractions::update()
                 for (label j = 0; j < parts; ++j)
                 {
                     append(k, (j + 0.5) / parts, scalar(1) / parts, Zero,
-                           length / parts * h);
+                           length / parts * h,
+                           p.folded ? before + (j + 0.5) / parts * length : -1);
                 }
+                before += length;
             }
         }
         p.size = X_.size() - p.first;
@@ -133,13 +137,18 @@ void Foam::bodyInteractions::act(closePairs& pairs, interactingPoints& points,
 {
     // Pairs of surfaces have a list of their own: here all are as one body
     labelList body(n);
+    scalarField along(n);
     forAll(body, k)
     {
         const bool isLine = facts[nFacts_ * k + 4] > 0;
         body[k] = !lines || isLine ? label(facts[nFacts_ * k + 5])
                                    : firstBody_.last();
+        along[k] = facts[nFacts_ * k + 6];
     }
-    pairs.search(SubList<vector>(X_, n), body);
+    // What is no pair along a fibre that is not folded is none before the boxes are
+    // compared again
+    pairs.search(SubList<vector>(X_, n), body, along,
+                 2 * (pairs.range() + skin()));
     const scalarField there(pairs.points().handOut(facts, nFacts_));
     const label nHere = pairs.here().size();
     points = {vectorField(nHere), scalarField(nHere), scalarField(nHere)};
@@ -169,11 +178,7 @@ void Foam::bodyInteractions::look(const closePairs& pairs,
                                   const interactingPoints& points,
                                   const labelUList& body, overlap& deepest)
 {
-    bool linesActOn = false;
-    for (const interactionModel& model : models_)
-    {
-        linesActOn = linesActOn || model.range(false, false) > 0;
-    }
+    const bool linesActOn = linesMeet();
     for (const closePairs::pair& p : pairs.pairs())
     {
         nPairs_ += p.bothHeld ? 2 : 1;

@@ -23,14 +23,29 @@ Foam::closePairs::closePairs(const uniformGrid& grid, const scalar range)
 {
 }
 
-void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
+void Foam::closePairs::search(const UList<vector>& X, const labelUList& body,
+                              const UList<scalar>& along, const scalar apart)
 {
     points_.place(X);
-    scalarField own(body.size());
-    std::copy(body.begin(), body.end(), own.begin());
-    const scalarField all(points_.handOut(own.cdata(), 1));
-    body_.setSize(all.size());
-    std::copy(all.begin(), all.end(), body_.begin());
+    scalarField own(2 * body.size());
+    forAll(body, k)
+    {
+        own[2 * k] = body[k];
+        own[2 * k + 1] = along.size() ? along[k] : -1;
+    }
+    const scalarField all(points_.handOut(own.cdata(), 2));
+    body_.setSize(all.size() / 2);
+    along_.setSize(body_.size());
+    forAll(body_, k)
+    {
+        body_[k] = label(all[2 * k]);
+        along_[k] = all[2 * k + 1];
+    }
+    const auto apartEnough = [&](const label a, const label b)
+    {
+        return body_[a] != body_[b] ||
+               (along_[a] >= 0 && mag(along_[a] - along_[b]) > apart);
+    };
     pairs_.clear();
 
     // Points sorted by their bins, in their order within a bin
@@ -61,7 +76,7 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
         }
     }
 
-    // The body of each bin's points if all are of one
+    // The body of each bin's points if all are of one, whose parts do not meet
     labelList onlyBody(bins.count(), -1);
     for (label b = 0; b < bins.count(); ++b)
     {
@@ -69,7 +84,8 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
         const label first = body_[sorted[binBegin[b]]];
         if (std::all_of(sorted.cbegin() + binBegin[b],
                         sorted.cbegin() + binEnd[b],
-                        [&](const label k) { return body_[k] == first; }))
+                        [&](const label k)
+                        { return body_[k] == first && along_[k] < 0; }))
         {
             onlyBody[b] = first;
         }
@@ -153,7 +169,7 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body)
                 if (!(square[q] < sqr(range_))) continue;
                 const label b = others[q];
                 const bool again = binOf[b] == bin && b <= a;
-                if (body_[a] == body_[b] || again) continue;
+                if (again || !apartEnough(a, b)) continue;
                 const bool otherHeld = points_.holds(b);
                 const vector r(nearestImage(grid_, x[a], x[b]));
                 if (held)

@@ -139,6 +139,9 @@ void Foam::lubrication::findResistances(const closePairs& pairs,
     {
         const scalar r1 = points.radii[p.first], r2 = points.radii[p.second];
         if (r1 == 0 || r2 == 0) continue;
+
+        // Parts of one fibre do not move as the two rods that this is made for
+        if (pairs.body()[p.first] == pairs.body()[p.second]) continue;
         film f(between(motions.elements[p.first], motions.elements[p.second],
                        p.r, r1, r2));
         if (f.k == 0) continue;
