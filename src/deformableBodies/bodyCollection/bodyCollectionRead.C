@@ -54,6 +54,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                           rho_ * nu_,
                           readGravity(),
                           expectedDeltaT(),
+                          adjusted(),
                           accuracy_,
                           readCoupling(dict, bodyCoupling::twoWay),
                           removesOutside(dict, false),

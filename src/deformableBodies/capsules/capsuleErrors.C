@@ -65,7 +65,11 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
         {
             by += nearFieldKnown_ ? " with near field"
                                   : ", near field beyond what is known";
-            if (nearFieldKnown_) error = viscosityRatio_ == 1 ? 0.003 : 0.007;
+            if (nearFieldKnown_)
+            {
+                error =
+                    (viscosityRatio_ == 1 ? 0.003 : 0.007) + nearFieldError_;
+            }
         }
         else
         {

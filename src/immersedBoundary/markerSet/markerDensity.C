@@ -176,7 +176,7 @@ public:
 
 constexpr Foam::scalar Foam::markerSet::lineReach;
 
-// Nor is it where its periodic images are within reach
+// A line also counts as folded where its periodic images are within reach
 Foam::scalarField Foam::markerSet::linesHere(const UList<vector>& X,
                                              const labelUList& line,
                                              const bool mayFold) const

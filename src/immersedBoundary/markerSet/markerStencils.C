@@ -21,14 +21,20 @@ inline fourValues& fourAt(double* p)
 }
 } // namespace
 
-//- Of some markers in sorted_, from one on, at faces in the three directions and then
-//  at centres in them: first points, counted through the box, and weights of four
-//  points that follow each other. They are made where they are used, in the
-//  processor's cache: to fetch them from memory takes longer
+//- Some markers that follow each other in sorted_: of each its position, counted in
+//  points, the first point that it reaches, counted through the box, and the weights of
+//  four points from there, in six sets of points: faces in the three directions, then
+//  centres in them. Made where they are used, in the processor's cache: to fetch them
+//  from memory takes longer
 struct Foam::markerSet::weightBatch
 {
     static constexpr label n = 64;
-    scalar position[6][n], lowest[6][n], weight[4][6][n];
+
+    // Where in memory vectors begin decides over the last bit of their values: always at
+    // the same place
+    alignas(64) scalar position[6][n];
+    alignas(64) scalar lowest[6][n];
+    alignas(64) scalar weight[4][6][n];
 
     weightBatch(const markerSet& markers, const label begin, const label size)
     {
@@ -60,8 +66,8 @@ struct Foam::markerSet::cutMarker
     scalar weight[6][4];
 };
 
-//- What it reaches of one component: the four points of each row and their weights, do
-//  they follow each other?; where rows begin and their weights
+//- What it reaches of one component: four points in each row, their weights, and
+//  whether the points follow each other; where the rows begin, and their weights
 struct Foam::markerSet::cutRows
 {
     const label* x;
@@ -243,6 +249,7 @@ void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
 template<int n, class Places, class Visit>
 void Foam::markerSet::eachCut(const List<Places>& fields, Visit visit) const
 {
+    if (fields.empty()) return;
     const label all = label(sorted_.size());
     for (label b = nWhole_; b < all; b += weightBatch::n)
     {
@@ -380,8 +387,8 @@ void Foam::markerSet::scatterCut(const UList<vector>& F,
                });
 }
 
-// Markers of a layer of cells reach two layers down and up: values at a layer are
-// complete when the forces of the third layer above have been added
+// Markers of a layer of cells reach two layers down and up, so that those four layers
+// apart have no point in common: values are taken four layers behind the forces
 template<int n>
 void Foam::markerSet::sweepAll(const UList<vector>& F,
                                const List<staggeredTarget>& f,

@@ -116,8 +116,8 @@ label rankOf(const label n, const label i)
     return rank;
 }
 
-//- The direction of whose planes most cells are on their rank already; where there
-//  are equals the one that is given (collective)
+//- The direction that leaves most cells where they are: those whose plane is dealt to
+//  the rank that holds them. Of equal directions the given one (collective)
 direction sweptByCut(const uniformGrid& grid, const List<labelVector>& cells,
                      const direction given)
 {

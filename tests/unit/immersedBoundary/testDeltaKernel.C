@@ -11,6 +11,34 @@ protected:
     deltaKernel kernel{GetParam()};
 };
 
+// The weights at many places are those of the kernel's function, at each of them, and
+// their squares have the sum that does not depend on the place
+TEST_P(DeltaKernel, weightsAreThoseOfTheFunction)
+{
+    const label n = 1000;
+    scalarField x(n), lowest(n), w0(n), w1(n), w2(n), w3(n);
+    forAll(x, k)
+    {
+        x[k] = 7 + 0.013 * k;
+    }
+    scalar* const weight[4] = {w0.data(), w1.data(), w2.data(), w3.data()};
+    kernel.weights(n, x.cdata(), lowest.data(), weight);
+    scalar worst = 0, squares = 0;
+    forAll(x, k)
+    {
+        scalar sum = 0;
+        for (label i = 0; i < 4; ++i)
+        {
+            const scalar w = weight[i][k];
+            worst = max(worst, mag(w - kernel.phi(x[k] - (lowest[k] + i))));
+            sum += w * w;
+        }
+        squares = max(squares, mag(sum - kernel.sumOfSquares()));
+    }
+    test::expectBelow("weights against the function", worst, 1e-14);
+    test::expectBelow("sum of squares", squares, 1e-14);
+}
+
 TEST_P(DeltaKernel, losesNoForceBesideWalls)
 {
     scalar worst = 0;

@@ -184,11 +184,11 @@ bool Foam::bodyInteractions::actBetween(const label group,
     return false;
 }
 
-bool Foam::bodyInteractions::linesMeet() const
+bool Foam::bodyInteractions::actsWithinLines() const
 {
     for (const interactionModel& model : models_)
     {
-        if (model.range(false, false) > 0) return true;
+        if (model.withinLines()) return true;
     }
     return false;
 }
@@ -228,7 +228,7 @@ void Foam::bodyInteractions::compareBoxes()
         {
             const label number = group.mine()[i];
             find_[firstBody_[g] + number] = bodies_.size();
-            const bool mayFold = linesMeet() && !surfaces_[g];
+            const bool mayFold = actsWithinLines() && !surfaces_[g];
             bodies_.push_back({g, i, number, false,
                                mayFold && folded(group.points(i).places), 0,
                                0});

@@ -145,7 +145,7 @@ void Foam::bodyInteractions::act(closePairs& pairs, interactingPoints& points,
                                    : firstBody_.last();
         along[k] = facts[nFacts_ * k + 6];
     }
-    // What is no pair along a fibre that is not folded is none before the boxes are
+    // Parts of a fibre that is not folded cannot come within range before the boxes are
     // compared again
     pairs.search(SubList<vector>(X_, n), body, along,
                  2 * (pairs.range() + skin()));
@@ -178,7 +178,11 @@ void Foam::bodyInteractions::look(const closePairs& pairs,
                                   const interactingPoints& points,
                                   const labelUList& body, overlap& deepest)
 {
-    const bool linesActOn = linesMeet();
+    bool linesActOn = false;
+    for (const interactionModel& model : models_)
+    {
+        linesActOn = linesActOn || model.range(false, false) > 0;
+    }
     for (const closePairs::pair& p : pairs.pairs())
     {
         nPairs_ += p.bothHeld ? 2 : 1;
