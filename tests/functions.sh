@@ -2,6 +2,7 @@
 
 . "$(dirname "${BASH_SOURCE[0]}")/../bin/env" || exit 1
 runs=$DEFORMABLE_BODIES_DIR/tests/run
+mkdir -p "$runs"
 
 passed=0
 failed=0

@@ -24,14 +24,6 @@ Foam::surfacePoints::surfacePoints(const label degree, const label nTheta)
     }
 }
 
-Foam::vector Foam::surfacePoints::at(const std::vector<double>& onGrid,
-                                     const label k) const
-{
-    const double* p = onGrid.data() + used_[k];
-    const label n = grid_.nPoints();
-    return vector(p[0], p[n], p[2 * n]);
-}
-
 void Foam::surfacePoints::values(const double* coeffs, vector* v) const
 {
     grid_.values(coeffs, onGrid_.data());

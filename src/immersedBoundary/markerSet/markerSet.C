@@ -6,13 +6,13 @@ Foam::markerSet::markerSet(const uniformGrid& grid, const deltaKernel& kernel,
                            blockNeighbours& neighbours)
     : grid_(grid),
       kernel_(kernel),
-      copies_(neighbours, label(kernel.reach() + 1))
+      copies_(neighbours)
 {
 }
 
 void Foam::markerSet::place(const vectorField& X)
 {
-    copies_.place(X);
+    copies_.place(X, label(kernel_.reach() + 1));
     sort();
 }
 

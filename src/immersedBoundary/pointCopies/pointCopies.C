@@ -12,7 +12,7 @@ const scalar* numbers(const UList<vector>& v)
 }
 } // namespace
 
-void Foam::pointCopies::place(const UList<vector>& X)
+void Foam::pointCopies::place(const UList<vector>& X, const label margin)
 {
     nOwn_ = X.size();
     if (!Pstream::parRun())
@@ -21,8 +21,8 @@ void Foam::pointCopies::place(const UList<vector>& X)
         return;
     }
 
-    neighbours_.cover(X, margin_);
-    const blockNeighbours::table& reached = neighbours_.near(margin_);
+    neighbours_.cover(X, margin);
+    const blockNeighbours::table& reached = neighbours_.near(margin);
     const label nRanks = neighbours_.ranks().size();
     List<DynamicList<label>> to(nRanks);
     forAll(X, k)

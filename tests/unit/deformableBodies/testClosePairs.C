@@ -108,6 +108,43 @@ TEST(ClosePairs, asByAllPairs)
                       mag(distances / expectedDistances - 1), 1e-12);
 }
 
+// Runs of eight points of a sphere lie within a cap of some eight times their area
+TEST(ClosePairs, patchesAreCompact)
+{
+    DynamicList<vector> X;
+    const label n = 596;
+    for (label k = 0; k < n; ++k)
+    {
+        const scalar z = 1 - (2 * k + 1.0) / n, turn = 2.4 * k;
+        X.append(vector(std::cos(turn), std::sin(turn), 0) *
+                     std::sqrt(1 - sqr(z)) +
+                 vector(0, 0, z));
+    }
+    const labelList order(patchOrder(X));
+    labelList sorted(order);
+    sort(sorted);
+    EXPECT_EQ(sorted, identity(n));
+    scalar sum = 0;
+    for (label k = 0; k < n; k += closePairs::nParts)
+    {
+        vector middle(Zero);
+        const label end = min(k + closePairs::nParts, n);
+        for (label i = k; i < end; ++i)
+        {
+            middle += X[order[i]] / (end - k);
+        }
+        scalar radius = 0;
+        for (label i = k; i < end; ++i)
+        {
+            radius = max(radius, mag(X[order[i]] - middle));
+        }
+        sum += radius;
+    }
+    const scalar ofCap = 2 * std::sqrt(scalar(closePairs::nParts) / n);
+    test::expectBelow("mean radius over that of a cap of the same area",
+                      sum / ((n - 1) / closePairs::nParts + 1) / ofCap, 1.4);
+}
+
 namespace
 {
 //- Forces of a model among clouds are opposite for the two of each pair
@@ -120,13 +157,13 @@ void isMutual(const interactionModel& model, const scalar radius)
     pairs.search(vectorField(UIndirectList<vector>(all.X, mine)),
                  labelList(UIndirectList<label>(all.body, mine)));
     const label n = pairs.here().size();
-    const interactingPoints points{vectorField(n, Zero), scalarField(n, sqr(h)),
-                                   scalarField(n, radius)};
+    const List<interactingPoint> points(
+        n, interactingPoint{Zero, sqr(h), radius, 0});
     vectorField there(n, Zero), F(mine.size(), Zero);
     model.add(pairs, points, there);
-    pairs.points().addUp(scalarField(UList<scalar>(
-                             reinterpret_cast<scalar*>(there.data()), 3 * n)),
-                         3, reinterpret_cast<scalar*>(F.data()));
+    pairs.addUp(scalarField(UList<scalar>(
+                    reinterpret_cast<scalar*>(there.data()), 3 * n)),
+                3, reinterpret_cast<scalar*>(F.data()));
     vector sum(Zero), torque(Zero);
     scalar size = 0;
     forAll(F, k)
@@ -199,9 +236,8 @@ TEST(ClosePairs, forceOfCrossingLines)
         closePairs pairs(grid(), model.range(false, false));
         pairs.search(X, body);
         const label n = X.size();
-        const interactingPoints points{vectorField(n, Zero),
-                                       scalarField(n, spacing * h),
-                                       scalarField(n, radius)};
+        const List<interactingPoint> points(
+            n, interactingPoint{Zero, spacing * h, radius, 0});
         vectorField F(n, Zero);
         model.add(pairs, points, F);
         vector sum(Zero);

@@ -3,6 +3,7 @@
 #include "bodyInteractions.H"
 #include "dictionaryChecks.H"
 #include "mathematicalConstants.H"
+#include "pointBins.H"
 #include "resultFile.H"
 #include "segmentDistance.H"
 #include "wallPolyPatch.H"
@@ -52,9 +53,12 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
       grid_(scene.grid),
       groups_(groups),
       effects_(scene.effects),
+      neighbours_(scene.grid),
+      boxes_(neighbours_),
       walls_(FixedList<bool, 2>(false)),
       firstBody_(groups.size() + 1, label(0)),
-      surfaces_(groups.size(), false)
+      surfaces_(groups.size(), false),
+      order_(groups.size())
 {
     const dictionary& control = mesh.time().controlDict();
     interactionScene about{scene.grid,
@@ -76,6 +80,7 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
         surfaces_[g] = p.isSurface();
         if (surfaces_[g])
         {
+            order_[g] = patchOrder(p.places);
             const scalar area = sum(mag(p.areas));
             const scalar Gs =
                 p.stiffness /
@@ -243,34 +248,42 @@ void Foam::bodyInteractions::compareBoxes()
     reduce(largest, maxOp<scalar>());
     const scalar reach = range_ + skin();
 
-    // Centres of boxes that may be near each other know each other
-    closePairs near(grid_, 2 * std::sqrt(3.0) * largest + reach);
-    labelList body(centres.size());
-    forAll(body, k)
+    // All boxes that may be near one of this rank, in bins
+    boxes_.place(centres, grid_.layersWithin(2 * largest + reach));
+    const scalarField there(boxes_.handOut(facts.cdata(), 4));
+    const vectorField& here = boxes_.here();
+    const pointBins bins(grid_, 2 * largest + reach, here.size());
+    List<DynamicList<label>> inBin(bins.count());
+    forAll(here, k)
     {
-        body[k] = label(facts[4 * k + 3]);
+        inBin[bins.numberOf(here[k])].append(k);
     }
-    near.search(centres, body);
-    const scalarField there(near.points().handOut(facts.cdata(), 4));
-    scalarField met(near.here().size(), Zero), own(centres.size(), Zero);
-    for (const closePairs::pair& p : near.pairs())
+    const auto nearAny = [&](const label own)
     {
-        bool apart = false;
-        for (direction d = 0; d < 3; ++d)
-        {
-            apart = apart || mag(p.r[d]) > there[4 * p.first + d] +
-                                               there[4 * p.second + d] + reach;
-        }
-        if (!apart) met[p.first] = met[p.second] = 1;
-    }
-    near.points().addUp(met, 1, own.data());
+        bool found = false;
+        bins.eachNext(
+            bins.numberOf(centres[own]),
+            [&](const label bin)
+            {
+                for (const label k : inBin[bin])
+                {
+                    if (found) return;
+                    const scalar *a = &facts[4 * own], *b = &there[4 * k];
+                    const vector r(nearestImage(grid_, centres[own], here[k]));
+                    found = a[3] != b[3] && mag(r.x()) < a[0] + b[0] + reach &&
+                            mag(r.y()) < a[1] + b[1] + reach &&
+                            mag(r.z()) < a[2] + b[2] + reach;
+                }
+            });
+        return found;
+    };
 
     anyNear_ = false;
-    forAll(own, k)
+    forAll(boxes, k)
     {
         vector inward;
         participant& p = bodies_[k];
-        p.near = p.folded || own[k] > 0 ||
+        p.near = p.folded || nearAny(k) ||
                  toWall(boxes[k].min(), inward) < reach ||
                  toWall(boxes[k].max(), inward) < reach;
         anyNear_ = anyNear_ || p.near;
@@ -291,7 +304,8 @@ void Foam::bodyInteractions::add(const label group, const label body,
     const participant& p = bodies_[find_.at(firstBody_[group] + body)];
     for (label k = p.first; k < p.first + p.size; ++k)
     {
-        const vector ahead(onward_[k] * F_.F[k] + part_[k] * F_.arms[k]);
+        vector ahead(onward_[k] * F_.F[k]);
+        if (F_.arms.size()) ahead += part_[k] * F_.arms[k];
         F[which_[k]] += F_.F[k] - ahead;
         if (onward_[k] > 0) F[which_[k] + 1] += ahead;
     }

@@ -20,96 +20,37 @@ void Foam::bodyInteractions::update()
     power_ = 0;
     if (!anyNear_) return;
 
-    // Of each point area vector, size, radius, body, and place along a fibre that is
-    // folded, else -1; velocity. Surfaces first
     which_.clear();
     onward_.clear();
     part_.clear();
+    along_.clear();
     X_.clear();
-    DynamicList<scalar> facts;
-    DynamicList<vector> V;
+    V_.clear();
+    points_.clear();
     label nOfSurfaces = 0;
-    const auto collect = [&](participant& p)
-    {
-        p.first = X_.size();
-        p.size = 0;
-        if (!p.near) return;
-        const bodyPoints points(groups_[p.group].points(p.place));
-        const scalar radius =
-            std::sqrt(points.crossSection / constant::mathematical::pi);
-        const vectorField &x = points.places, &v = points.velocities;
-        const auto append = [&](const label k, const scalar onward,
-                                const scalar part, const vector& area,
-                                const scalar size, const scalar along)
-        {
-            which_.append(k);
-            onward_.append(onward);
-            part_.append(part);
-            X_.append(onward > 0 ? (1 - onward) * x[k] + onward * x[k + 1]
-                                 : x[k]);
-            V.append(onward > 0 ? (1 - onward) * v[k] + onward * v[k + 1]
-                                : v[k]);
-            facts.append({area.x(), area.y(), area.z(), size, radius,
-                          scalar(firstBody_[p.group] + p.number), along});
-        };
-        if (points.isSurface())
-        {
-            const label n = x.size();
-            const scalar enough = 0.6 * sum(mag(points.areas)) / n;
-            vector area(Zero);
-            scalar size = 0;
-            for (label k = 0; k < n; ++k)
-            {
-                area += points.areas[k];
-                size += mag(points.areas[k]);
-                if (size < enough && k + 1 < n) continue;
-                append(k, 0, 0, area, size, -1);
-                area = Zero;
-                size = 0;
-            }
-        }
-        else
-        {
-            const scalar h = cmptMax(grid_.h());
-            const scalar apart = max(min(0.5 * h, 2 * radius), 0.1 * h);
-            scalar before = 0;
-            for (label k = 0; k + 1 < x.size(); ++k)
-            {
-                const scalar length = mag(x[k + 1] - x[k]);
-                // Whatever the rounding of segments as long as a cell
-                const label parts =
-                    label(std::ceil(length / apart * (1 - 1e-6)));
-                for (label j = 0; j < parts; ++j)
-                {
-                    append(k, (j + 0.5) / parts, scalar(1) / parts, Zero,
-                           length / parts * h,
-                           p.folded ? before + (j + 0.5) / parts * length : -1);
-                }
-                before += length;
-            }
-        }
-        p.size = X_.size() - p.first;
-    };
     for (const bool surfaces : {true, false})
     {
         for (participant& p : bodies_)
         {
-            if (surfaces_[p.group] == surfaces) collect(p);
+            if (surfaces_[p.group] != surfaces) continue;
+            p.first = X_.size();
+            if (p.near) collect(p);
+            p.size = X_.size() - p.first;
         }
         if (surfaces) nOfSurfaces = X_.size();
     }
 
-    F_.F = vectorField(X_.size(), Zero);
-    F_.arms = F_.F;
+    F_.F.setSize(X_.size());
+    F_.F = Zero;
+    if (resists()) F_.arms = F_.F;
     overlap deepest;
     if (surfacePairs_)
     {
-        act(*surfacePairs_, surfacePoints_, false, nOfSurfaces, facts.cdata(),
-            deepest);
+        act(*surfacePairs_, surfacePoints_, false, nOfSurfaces, deepest);
     }
     if (linePairs_)
     {
-        act(*linePairs_, linePoints_, true, X_.size(), facts.cdata(), deepest);
+        act(*linePairs_, linePoints_, true, X_.size(), deepest);
     }
     warnOf(deepest);
 
@@ -119,49 +60,105 @@ void Foam::bodyInteractions::update()
         const scalar distance = toWall(X_[k], inward);
         if (distance < range_)
         {
+            const scalar radius = points_[k].radius;
             for (const interactionModel& model : models_)
             {
-                const scalar radius = facts[nFacts_ * k + 4];
                 F_.F[k] += model.ofWall(distance - radius, radius == 0) *
-                           facts[nFacts_ * k + 3] * inward;
+                           points_[k].size * inward;
             }
         }
-        power_ += F_.F[k] & V[k];
+        power_ += F_.F[k] & V_[k];
     }
     work_ += time_.deltaTValue() * power_;
 }
 
-void Foam::bodyInteractions::act(closePairs& pairs, interactingPoints& points,
+void Foam::bodyInteractions::collect(const participant& p)
+{
+    const bodyPoints points(groups_[p.group].points(p.place));
+    const vectorField &x = points.places, &v = points.velocities;
+    interactingPoint point{
+        Zero, 0, std::sqrt(points.crossSection / constant::mathematical::pi),
+        scalar(firstBody_[p.group] + p.number)};
+    if (points.isSurface())
+    {
+        const labelList& order = order_[p.group];
+        const label first = X_.size(), n = order.size();
+        which_.append(order);
+        for (DynamicList<scalar>* values : {&onward_, &part_, &along_})
+        {
+            values->setSize(first + n, values == &along_ ? -1 : 0);
+        }
+        for (DynamicList<vector>* values : {&X_, &V_})
+        {
+            values->setSize(first + n);
+        }
+        points_.setSize(first + n);
+        forAll(order, i)
+        {
+            const label k = order[i];
+            X_[first + i] = x[k];
+            V_[first + i] = v[k];
+            point.area = points.areas[k];
+            point.size = mag(point.area);
+            points_[first + i] = point;
+        }
+        return;
+    }
+    const scalar h = cmptMax(grid_.h());
+    const scalar apart = max(min(0.5 * h, 2 * point.radius), 0.1 * h);
+    scalar before = 0;
+    for (label k = 0; k + 1 < x.size(); ++k)
+    {
+        const scalar length = mag(x[k + 1] - x[k]);
+        // Whatever the rounding of segments as long as a cell
+        const label parts = label(std::ceil(length / apart * (1 - 1e-6)));
+        point.size = length / parts * h;
+        for (label j = 0; j < parts; ++j)
+        {
+            const scalar onward = (j + 0.5) / parts;
+            which_.append(k);
+            onward_.append(onward);
+            part_.append(scalar(1) / parts);
+            along_.append(p.folded ? before + onward * length : -1);
+            X_.append((1 - onward) * x[k] + onward * x[k + 1]);
+            V_.append((1 - onward) * v[k] + onward * v[k + 1]);
+            points_.append(point);
+        }
+        before += length;
+    }
+}
+
+void Foam::bodyInteractions::act(closePairs& pairs,
+                                 List<interactingPoint>& points,
                                  const bool lines, const label n,
-                                 const scalar* facts, overlap& deepest)
+                                 overlap& deepest)
 {
     // Pairs of surfaces have a list of their own: here all are as one body
     labelList body(n);
-    scalarField along(n);
     forAll(body, k)
     {
-        const bool isLine = facts[nFacts_ * k + 4] > 0;
-        body[k] = !lines || isLine ? label(facts[nFacts_ * k + 5])
-                                   : firstBody_.last();
-        along[k] = facts[nFacts_ * k + 6];
+        body[k] = lines && points_[k].radius == 0 ? firstBody_.last()
+                                                  : label(points_[k].body);
     }
     // Parts of a fibre that is not folded cannot come within range before the boxes are
     // compared again
-    pairs.search(SubList<vector>(X_, n), body, along,
+    pairs.search(SubList<vector>(X_, n), body, SubList<scalar>(along_, n),
                  2 * (pairs.range() + skin()));
-    const scalarField there(pairs.points().handOut(facts, nFacts_));
     const label nHere = pairs.here().size();
-    points = {vectorField(nHere), scalarField(nHere), scalarField(nHere)};
-    labelList bodies(nHere);
-    for (label k = 0; k < nHere; ++k)
+    points.setSize(nHere);
+    if (Pstream::parRun())
     {
-        const scalar* fact = &there[nFacts_ * k];
-        points.areas[k] = vector(fact[0], fact[1], fact[2]);
-        points.sizes[k] = fact[3];
-        points.radii[k] = fact[4];
-        bodies[k] = label(fact[5]);
+        const scalarField numbers(
+            pairs.handOut(reinterpret_cast<const scalar*>(points_.cdata()),
+                          sizeof(interactingPoint) / sizeof(scalar)));
+        std::copy(numbers.begin(), numbers.end(),
+                  reinterpret_cast<scalar*>(points.data()));
     }
-    look(pairs, points, bodies, deepest);
+    else
+    {
+        std::copy_n(points_.begin(), n, points.begin());
+    }
+    look(pairs, points, deepest);
 
     vectorField F(nHere, Zero);
     for (const interactionModel& model : models_)
@@ -169,14 +166,14 @@ void Foam::bodyInteractions::act(closePairs& pairs, interactingPoints& points,
         const auto timing(effects_.time(model.type()));
         model.add(pairs, points, F);
     }
-    pairs.points().addUp(scalarField(UList<scalar>(
-                             reinterpret_cast<scalar*>(F.data()), 3 * nHere)),
-                         3, reinterpret_cast<scalar*>(F_.F.data()));
+    pairs.addUp(scalarField(UList<scalar>(reinterpret_cast<scalar*>(F.data()),
+                                          3 * nHere)),
+                3, reinterpret_cast<scalar*>(F_.F.data()));
 }
 
 void Foam::bodyInteractions::look(const closePairs& pairs,
-                                  const interactingPoints& points,
-                                  const labelUList& body, overlap& deepest)
+                                  const UList<interactingPoint>& points,
+                                  overlap& deepest)
 {
     bool linesActOn = false;
     for (const interactionModel& model : models_)
@@ -189,7 +186,7 @@ void Foam::bodyInteractions::look(const closePairs& pairs,
         const scalar apart = mag(p.r);
         closest_ = min(closest_, apart);
         scalar depth = 0;
-        const scalar a = points.radii[p.first], b = points.radii[p.second];
+        const scalar a = points[p.first].radius, b = points[p.second].radius;
         if (a > 0 && b > 0)
         {
             // Axes within half the sum of the radii, where that is kept from
@@ -198,8 +195,8 @@ void Foam::bodyInteractions::look(const closePairs& pairs,
         else
         {
             // Either lies behind the other's surface, both seen
-            const vector& n = points.areas[p.first];
-            const vector& m = points.areas[p.second];
+            const vector& n = points[p.first].area;
+            const vector& m = points[p.second].area;
             if ((n & m) < 0 && (m & p.r) < -0.5 * mag(m) * apart &&
                 (n & p.r) > 0.5 * mag(n) * apart)
             {
@@ -207,7 +204,8 @@ void Foam::bodyInteractions::look(const closePairs& pairs,
             }
         }
         if (depth <= deepest.depth) continue;
-        deepest = {depth, body[p.first], body[p.second], pairs.here()[p.first]};
+        deepest = {depth, label(points[p.first].body),
+                   label(points[p.second].body), pairs.here()[p.first]};
     }
 }
 

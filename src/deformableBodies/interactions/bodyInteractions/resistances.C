@@ -19,22 +19,20 @@ const scalar* numbers(const vectorField& v)
 }
 
 //- Vectors of own points for all points here
-vectorField handOut(const pointCopies& points, const vectorField& own)
+vectorField handOut(const closePairs& pairs, const vectorField& own)
 {
-    const scalarField all(points.handOut(numbers(own), 3));
+    const scalarField all(pairs.handOut(numbers(own), 3));
     vectorField here(all.size() / 3);
     std::copy(all.begin(), all.end(), reinterpret_cast<scalar*>(here.data()));
     return here;
 }
 
 //- The way back
-vectorField sumUp(const pointCopies& points, const vectorField& here)
+void addUp(const closePairs& pairs, const vectorField& here, vectorField& own)
 {
-    vectorField own(points.nOwn(), Zero);
     scalarField all(3 * here.size());
     std::copy_n(numbers(here), all.size(), all.begin());
-    points.addUp(all, 3, reinterpret_cast<scalar*>(own.data()));
-    return own;
+    pairs.addUp(all, 3, reinterpret_cast<scalar*>(own.data()));
 }
 
 //- In place of a group; no group may have a colon in its name
@@ -95,17 +93,19 @@ void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
             lineDensity += group.nMarkers() / n;
         }
     }
-    const pointCopies& points = linePairs_->points();
-    const vectorField& x = linePairs_->here();
-    const scalarField numbersHere(points.handOut(number.cdata(), 1));
-    fibreMotions motions{
-        labelList(x.size()),          handOut(points, element),
-        handOut(points, V),           handOut(points, turn),
-        scalarField(x.size(), GREAT), vectorField(x.size(), Zero)};
+    const closePairs& pairs = *linePairs_;
+    const vectorField& x = pairs.here();
+    const scalarField numbersHere(pairs.handOut(number.cdata(), 1));
+    fibreMotions motions{labelList(x.size()),
+                         handOut(pairs, element),
+                         handOut(pairs, V),
+                         handOut(pairs, turn),
+                         scalarField(x.size(), GREAT),
+                         vectorField(x.size(), Zero)};
     forAll(x, k)
     {
         motions.numbers[k] = label(numbersHere[k]);
-        if (linePoints_.radii[k] > 0)
+        if (linePoints_[k].radius > 0)
         {
             motions.toWalls[k] = toWall(x[k], motions.inward[k]);
         }
@@ -117,9 +117,9 @@ void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
     for (interactionModel& model : models_)
     {
         const auto timing(effects_.time(model.type()));
-        model.findResistances(*linePairs_, linePoints_, motions, k);
+        model.findResistances(pairs, linePoints_, motions, k);
     }
-    points.addUp(k, 1, own.data());
+    pairs.addUp(k, 1, own.data());
     forAll(yield, b)
     {
         const label first = bodies_[b].first, end = first + bodies_[b].size;
@@ -134,7 +134,7 @@ void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
             own[m] = yield[b] * (all + 12 * along[m] * turning);
         }
     }
-    const scalarField implicit(points.handOut(own.cdata(), 1));
+    const scalarField implicit(pairs.handOut(own.cdata(), 1));
 
     armedForces here{vectorField(x.size(), Zero), vectorField(x.size(), Zero)};
     for (interactionModel& model : models_)
@@ -142,10 +142,12 @@ void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
         const auto timing(effects_.time(model.type()));
         if (model.resists())
         {
-            model.resist(*linePairs_, motions, implicit, here);
+            model.resist(pairs, motions, implicit, here);
         }
     }
-    const vectorField F(sumUp(points, here.F)), arms(sumUp(points, here.arms));
+    vectorField F(nOwn, Zero), arms(nOwn, Zero);
+    addUp(pairs, here.F, F);
+    addUp(pairs, here.arms, arms);
     F_.F += F;
     F_.arms += arms;
     const scalar power = sum(F & V) + sum(arms & turn);

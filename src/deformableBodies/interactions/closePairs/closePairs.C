@@ -2,181 +2,406 @@
 
 #include "closePairs.H"
 #include "pointBins.H"
+#include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
 using namespace Foam;
 
-//- Layers of cells that a distance reaches over
-label layersOf(const uniformGrid& grid, const scalar distance)
+using eight = Eigen::Array<double, closePairs::nParts, 1>;
+
+//- Squares of distances by nearest images, of one or of eight
+class nearestSquare
 {
-    return label(std::ceil(distance / cmptMin(grid.h()))) + 1;
+    vector length_, perLength_; // no images where it is 0
+
+    static double nearest(const double x) { return std::rint(x); }
+    static eight nearest(const eight& x) { return x.rint(); }
+
+public:
+    explicit nearestSquare(const uniformGrid& grid)
+        : length_(grid.length()),
+          perLength_(Zero)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (grid.periodic(d)) perLength_[d] = 1 / length_[d];
+        }
+    }
+
+    template<class Number>
+    Number operator()(Number x, Number y, Number z) const
+    {
+        x -= length_.x() * nearest(Number(x * perLength_.x()));
+        y -= length_.y() * nearest(Number(y * perLength_.y()));
+        z -= length_.z() * nearest(Number(z * perLength_.z()));
+        return x * x + y * y + z * z;
+    }
+};
+
+//- visit(i, j) of the parts of two clusters whose spheres are within range
+template<class Cluster, class Visit>
+void eachNear(const Cluster& p, const Cluster& q, const double range,
+              const nearestSquare& square, Visit visit)
+{
+    const auto all = [](const double* values)
+    { return Eigen::Map<const eight>(values); };
+    // Columns of what they are too far apart by, all before the first is looked at
+    constexpr label n = closePairs::nParts;
+    Eigen::Array<double, n, n> beyond;
+    eight least(eight::Constant(GREAT));
+    for (label i = 0; i < p.size; ++i)
+    {
+        beyond.col(i) = square(eight(p.x[0][i] - all(q.x[0])),
+                               eight(p.x[1][i] - all(q.x[1])),
+                               eight(p.x[2][i] - all(q.x[2]))) -
+                        (range + p.r[i] + all(q.r)).square();
+        least = least.min(beyond.col(i));
+    }
+    if (!(least.minCoeff() < 0)) return;
+    for (label i = 0; i < p.size; ++i)
+    {
+        for (label j = 0; j < q.size; ++j)
+        {
+            if (beyond(j, i) < 0) visit(i, j);
+        }
+    }
+}
+
+//- Order points so that their halves, of whole regions and patches, lie apart
+void halve(const UList<vector>& X, label* begin, label* end)
+{
+    const label n = end - begin, patch = closePairs::nParts;
+    if (n <= patch) return;
+    vector lo(vector::uniform(GREAT)), hi(-lo);
+    for (const label* k = begin; k < end; ++k)
+    {
+        lo = min(lo, X[*k]);
+        hi = max(hi, X[*k]);
+    }
+    direction widest = 0;
+    for (direction d = 1; d < 3; ++d)
+    {
+        if (hi[d] - lo[d] > hi[widest] - lo[widest]) widest = d;
+    }
+    const label whole = n > patch * patch ? patch * patch : patch;
+    label* middle = begin + ((n - 1) / whole + 1) / 2 * whole;
+    const auto before = [&](const label a, const label b)
+    {
+        return X[a][widest] < X[b][widest] ||
+               (X[a][widest] == X[b][widest] && a < b);
+    };
+    std::nth_element(begin, middle, end, before);
+    halve(X, begin, middle);
+    halve(X, middle, end);
 }
 } // namespace
+
+Foam::labelList Foam::patchOrder(const UList<vector>& X)
+{
+    labelList order(identity(X.size()));
+    halve(X, order.begin(), order.end());
+    return order;
+}
 
 Foam::closePairs::closePairs(const uniformGrid& grid, const scalar range)
     : grid_(grid),
       range_(range),
       neighbours_(grid),
-      points_(neighbours_, layersOf(grid, range))
+      copies_(neighbours_)
 {
+}
+
+Foam::closePairs::cluster::cluster(const label start, const label n,
+                                   const vector* X, const label number,
+                                   const bool folds, const bool isHeld)
+    : first(start),
+      size(n),
+      body(number),
+      mayFold(folds),
+      held(isHeld)
+{
+    for (label k = 0; k < nParts; ++k)
+    {
+        const vector& at = X[min(k, n - 1)];
+        r[k] = 0;
+        for (direction d = 0; d < 3; ++d)
+        {
+            x[d][k] = at[d];
+        }
+    }
+    enclose();
+}
+
+Foam::closePairs::cluster::cluster(const label start, const label n,
+                                   const cluster* patches)
+    : first(start),
+      size(n),
+      body(patches->body),
+      mayFold(patches->mayFold),
+      held(true)
+{
+    for (label k = 0; k < nParts; ++k)
+    {
+        const cluster& p = patches[min(k, n - 1)];
+        r[k] = p.radius;
+        for (direction d = 0; d < 3; ++d)
+        {
+            x[d][k] = p.centre[d];
+        }
+    }
+    enclose();
+}
+
+void Foam::closePairs::cluster::enclose()
+{
+    for (direction d = 0; d < 3; ++d)
+    {
+        centre[d] = 0.5 * (*std::min_element(x[d], x[d] + nParts) +
+                           *std::max_element(x[d], x[d] + nParts));
+    }
+    radius = 0;
+    for (label k = 0; k < nParts; ++k)
+    {
+        const vector off(x[0][k], x[1][k], x[2][k]);
+        radius = max(radius, mag(off - centre) + r[k]);
+    }
+}
+
+void Foam::closePairs::makePatches(const UList<vector>& X,
+                                   const labelUList& body,
+                                   const UList<scalar>& along)
+{
+    X_ = X;
+    body_ = body;
+    along_ = along;
+    if (along_.empty()) along_ = scalarField(X.size(), -1);
+    patches_.clear();
+    for (label k = 0, n; k < X.size(); k += n)
+    {
+        n = 1;
+        while (n < nParts && k + n < X.size() && body[k + n] == body[k])
+            ++n;
+        patches_.emplace_back(k, n, &X[k], body[k], along_[k] >= 0, true);
+    }
+}
+
+void Foam::closePairs::exchangePatches()
+{
+    // Of each place and place along the body of its points, body, number of points
+    const label nNumbers = 4 * nParts + 2;
+    vectorField centres(patches_.size());
+    scalarField numbers(nNumbers * patches_.size(), Zero);
+    ownSizes_.setSize(patches_.size());
+    scalar* to = numbers.data();
+    forAll(centres, i)
+    {
+        const cluster& p = patches_[i];
+        centres[i] = p.centre;
+        ownSizes_[i] = p.size;
+        for (label k = p.first; k < p.first + p.size; ++k)
+        {
+            const scalar* const x = X_[k].cdata();
+            to[4 * (k - p.first) + 3] = along_[k];
+            std::copy(x, x + 3, to + 4 * (k - p.first));
+        }
+        to += nNumbers;
+        to[-2] = p.body;
+        to[-1] = p.size;
+    }
+    reduce(largest_, maxOp<scalar>());
+    copies_.place(centres, grid_.layersWithin(range_ + 2 * largest_));
+    const scalarField here(copies_.handOut(numbers.cdata(), nNumbers));
+
+    patches_.clear();
+    DynamicList<vector> X(nParts * copies_.here().size());
+    DynamicList<label> body(X.capacity());
+    DynamicList<scalar> along(X.capacity());
+    forAll(copies_.here(), i)
+    {
+        const scalar* const from = &here[nNumbers * i];
+        const label first = X.size(), n = label(from[nNumbers - 1]);
+        for (label k = 0; k < n; ++k)
+        {
+            X.append(vector(from[4 * k], from[4 * k + 1], from[4 * k + 2]));
+            along.append(from[4 * k + 3]);
+            body.append(label(from[nNumbers - 2]));
+        }
+        patches_.emplace_back(first, n, &X[first], body[first],
+                              along[first] >= 0, copies_.holds(i));
+    }
+    X_ = X;
+    body_ = body;
+    along_ = along;
 }
 
 void Foam::closePairs::search(const UList<vector>& X, const labelUList& body,
                               const UList<scalar>& along, const scalar apart)
 {
-    points_.place(X);
-    scalarField own(2 * body.size());
-    forAll(body, k)
+    makePatches(X, body, along);
+    largest_ = 0;
+    for (const cluster& p : patches_)
     {
-        own[2 * k] = body[k];
-        own[2 * k + 1] = along.size() ? along[k] : -1;
+        largest_ = max(largest_, p.radius);
     }
-    const scalarField all(points_.handOut(own.cdata(), 2));
-    body_.setSize(all.size() / 2);
-    along_.setSize(body_.size());
-    forAll(body_, k)
-    {
-        body_[k] = label(all[2 * k]);
-        along_[k] = all[2 * k + 1];
-    }
-    const auto apartEnough = [&](const label a, const label b)
-    {
-        return body_[a] != body_[b] ||
-               (along_[a] >= 0 && mag(along_[a] - along_[b]) > apart);
-    };
+    if (Pstream::parRun()) exchangePatches();
+    patchOf_.setSize(X_.size());
     pairs_.clear();
-
-    // Points sorted by their bins, in their order within a bin
-    const vectorField& x = here();
-    const pointBins bins(grid_, range_, x.size());
-    labelList binOf(x.size()), binBegin(bins.count() + 1, Zero);
-    forAll(x, k)
+    for (size_t i = 0; i < patches_.size(); ++i)
     {
-        binOf[k] = bins.numberOf(x[k]);
-        ++binBegin[binOf[k] + 1];
-    }
-    for (label b = 0; b < bins.count(); ++b)
-    {
-        binBegin[b + 1] += binBegin[b];
-    }
-    labelList sorted(x.size()), binEnd(binBegin);
-    forAll(x, k)
-    {
-        sorted[binEnd[binOf[k]]++] = k;
-    }
-    std::vector<double> coordinate[3];
-    for (direction d = 0; d < 3; ++d)
-    {
-        coordinate[d].resize(x.size());
-        forAll(sorted, p)
-        {
-            coordinate[d][p] = x[sorted[p]][d];
-        }
+        const cluster& p = patches_[i];
+        std::fill_n(patchOf_.begin() + p.first, p.size, label(i));
     }
 
-    // The body of each bin's points if all are of one, whose parts do not meet
-    labelList onlyBody(bins.count(), -1);
-    for (label b = 0; b < bins.count(); ++b)
+    regions_.clear();
+    scalar reach = range_;
+    for (size_t i = 0, n; i < patches_.size(); i += n)
     {
-        if (binBegin[b] == binEnd[b]) continue;
-        const label first = body_[sorted[binBegin[b]]];
-        if (std::all_of(sorted.cbegin() + binBegin[b],
-                        sorted.cbegin() + binEnd[b],
-                        [&](const label k)
-                        { return body_[k] == first && along_[k] < 0; }))
-        {
-            onlyBody[b] = first;
-        }
+        n = 1;
+        while (n < nParts && i + n < patches_.size() &&
+               patches_[i + n].body == patches_[i].body)
+            ++n;
+        regions_.emplace_back(label(i), label(n), &patches_[i]);
+        reach = max(reach, range_ + 2 * regions_.back().radius);
     }
 
-    // Those in bins next to a bin, each two bins once, side by side for vectors: ranges
-    // of the sorted points, points, places, squares of the distances from one
-    std::vector<labelPair> ranges;
-    std::vector<label> others;
-    std::vector<double> around[3], square;
-    const vector length(grid_.length());
-    vector perLength(Zero); // no images where it is 0
-    for (direction d = 0; d < 3; ++d)
+    // Their spheres in the order of their bins
+    struct sphere
     {
-        if (grid_.periodic(d)) perLength[d] = 1 / length[d];
-    }
-    // How many are within range?
-    const auto findSquares = [&](const vector& from)
-    {
-        const label n = others.size();
-        const scalar limit = sqr(range_);
-        label within = 0;
-        square.resize(n);
-        double* sum = square.data();
-        const double *bx = around[0].data(), *by = around[1].data(),
-                     *bz = around[2].data();
-        const vector a(from), L(length), perL(perLength);
-        const auto image = [](const double r, const double l, const double perl)
-        { return r - l * std::rint(r * perl); };
-#pragma GCC ivdep
-        for (label q = 0; q < n; ++q)
-        {
-            const double x = image(a.x() - bx[q], L.x(), perL.x());
-            const double y = image(a.y() - by[q], L.y(), perL.y());
-            const double z = image(a.z() - bz[q], L.z(), perL.z());
-            sum[q] = x * x + y * y + z * z;
-            within += sum[q] < limit;
-        }
-        return within;
+        vector centre;
+        scalar radius;
+        label body, number;
     };
-    for (label bin = 0; bin < bins.count(); ++bin)
+    const label nRegions = regions_.size();
+    const pointBins bins(grid_, reach, nRegions);
+    labelList bin(nRegions), begin(bins.count() + 1, Zero);
+    for (label i = 0; i < nRegions; ++i)
     {
-        if (binBegin[bin] == binEnd[bin]) continue;
-        ranges.clear();
-        const auto collect = [&](const label other)
+        bin[i] = bins.numberOf(regions_[i].centre);
+        ++begin[bin[i] + 1];
+    }
+    for (label b = 0; b < bins.count(); ++b)
+    {
+        begin[b + 1] += begin[b];
+    }
+    std::vector<sphere> sorted(nRegions);
+    labelList next(begin);
+    for (label i = 0; i < nRegions; ++i)
+    {
+        const cluster& p = regions_[i];
+        sorted[next[bin[i]]++] = {p.centre, p.radius, p.body, i};
+    }
+
+    // Each with those in its bin and next to it, each two once
+    const nearestSquare square(grid_);
+    for (label i = 0; i < nRegions; ++i)
+    {
+        const cluster& p = regions_[i];
+        const auto compareWith = [&](const label other)
         {
-            if (other < bin || binBegin[other] == binEnd[other] ||
-                (onlyBody[bin] >= 0 && onlyBody[bin] == onlyBody[other]))
+            if (other < bin[i]) return;
+            for (label s = begin[other]; s < begin[other + 1]; ++s)
+            {
+                const sphere& q = sorted[s];
+                if ((other == bin[i] && q.number < i) ||
+                    (q.body == p.body && !p.mayFold))
+                {
+                    continue;
+                }
+                const vector r(p.centre - q.centre);
+                if (square(r.x(), r.y(), r.z()) <
+                    sqr(range_ + p.radius + q.radius))
+                {
+                    compareRegions(p, regions_[q.number], apart);
+                }
+            }
+        };
+        bins.eachNext(bin[i], compareWith);
+    }
+}
+
+void Foam::closePairs::compareRegions(const cluster& p, const cluster& q,
+                                      const scalar apart)
+{
+    eachNear(p, q, range_, nearestSquare(grid_),
+             [&](const label i, const label j)
+             {
+                 const label a = p.first + i, b = q.first + j;
+                 if (&p == &q && b <= a) return;
+                 if (patches_[a].held)
+                     comparePatches(patches_[a], patches_[b], apart);
+                 else if (patches_[b].held)
+                     comparePatches(patches_[b], patches_[a], apart);
+             });
+}
+
+void Foam::closePairs::comparePatches(const cluster& p, const cluster& q,
+                                      const scalar apart)
+{
+    eachNear(
+        p, q, range_, nearestSquare(grid_),
+        [&](const label i, const label j)
+        {
+            const label a = p.first + i, b = q.first + j;
+            if (p.body == q.body && mag(along_[a] - along_[b]) <= apart)
             {
                 return;
             }
-            if (ranges.size() && ranges.back().second() == binBegin[other])
-                ranges.back().second() = binEnd[other];
-            else
-                ranges.push_back({binBegin[other], binEnd[other]});
-        };
-        bins.eachNext(bin, collect);
-        others.clear();
-        for (auto& values : around)
+            pairs_.push_back({a, b, q.held, nearestImage(grid_, X_[a], X_[b])});
+        });
+}
+
+Foam::scalarField Foam::closePairs::handOut(const scalar* own,
+                                            const label n) const
+{
+    if (!Pstream::parRun())
+        return scalarField(
+            UList<scalar>(const_cast<scalar*>(own), n * X_.size()));
+    const label full = nParts * n;
+    scalarField numbers(full * ownSizes_.size(), Zero);
+    forAll(ownSizes_, i)
+    {
+        const label size = n * ownSizes_[i];
+        std::copy(own, own + size, &numbers[full * i]);
+        own += size;
+    }
+    const scalarField all(copies_.handOut(numbers.cdata(), full));
+    scalarField here(n * X_.size());
+    for (size_t i = 0; i < patches_.size(); ++i)
+    {
+        std::copy_n(&all[full * i], n * patches_[i].size,
+                    &here[n * patches_[i].first]);
+    }
+    return here;
+}
+
+void Foam::closePairs::addUp(const scalarField& here, const label n,
+                             scalar* own) const
+{
+    if (!Pstream::parRun())
+    {
+        forAll(here, k)
         {
-            values.clear();
+            own[k] += here[k];
         }
-        for (const labelPair& r : ranges)
+        return;
+    }
+    const label full = nParts * n;
+    scalarField all(full * patches_.size(), Zero),
+        numbers(full * ownSizes_.size(), Zero);
+    for (size_t i = 0; i < patches_.size(); ++i)
+    {
+        std::copy_n(&here[n * patches_[i].first], n * patches_[i].size,
+                    &all[full * i]);
+    }
+    copies_.addUp(all, full, numbers.data());
+    forAll(ownSizes_, i)
+    {
+        for (label k = 0; k < n * ownSizes_[i]; ++k)
         {
-            others.insert(others.end(), sorted.cbegin() + r.first(),
-                          sorted.cbegin() + r.second());
-            for (direction d = 0; d < 3; ++d)
-            {
-                around[d].insert(around[d].end(),
-                                 coordinate[d].begin() + r.first(),
-                                 coordinate[d].begin() + r.second());
-            }
-        }
-        for (label p = binBegin[bin]; p < binEnd[bin] && others.size(); ++p)
-        {
-            const label a = sorted[p];
-            if (!findSquares(x[a])) continue;
-            const bool held = points_.holds(a);
-            for (size_t q = 0; q < others.size(); ++q)
-            {
-                if (!(square[q] < sqr(range_))) continue;
-                const label b = others[q];
-                const bool again = binOf[b] == bin && b <= a;
-                if (again || !apartEnough(a, b)) continue;
-                const bool otherHeld = points_.holds(b);
-                const vector r(nearestImage(grid_, x[a], x[b]));
-                if (held)
-                    pairs_.push_back({a, b, otherHeld, r});
-                else if (otherHeld)
-                    pairs_.push_back({b, a, false, -r});
-            }
+            *own++ += numbers[full * i + k];
         }
     }
 }

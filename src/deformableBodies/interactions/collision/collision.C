@@ -33,16 +33,17 @@ Foam::collision::collision(const dictionary& dict,
 }
 
 void Foam::collision::add(const closePairs& pairs,
-                          const interactingPoints& points, vectorField& F) const
+                          const UList<interactingPoint>& points,
+                          vectorField& F) const
 {
     for (const closePairs::pair& p : pairs.pairs())
     {
-        const scalar a = points.radii[p.first], b = points.radii[p.second];
+        const scalar a = points[p.first].radius, b = points[p.second].radius;
         if (a == 0 || b == 0) continue;
         const scalar r = mag(p.r), gap = r - a - b;
         if (gap >= law_.range() || r == 0) continue;
         const scalar lengths =
-            points.sizes[p.first] * points.sizes[p.second] / sqr(h_);
+            points[p.first].size * points[p.second].size / sqr(h_);
 
         // Closer than this only the direction counts
         const scalar least = 0.5 * (a + b);

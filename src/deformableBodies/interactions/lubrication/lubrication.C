@@ -52,7 +52,7 @@ Foam::lubrication::lubrication(const dictionary& dict,
       range_(given(dict, "range", cmptMax(scene.grid.h()))),
       roughness_(given(dict, "roughness", 0.01 * scene.thinnest)),
       neighbours_(scene.grid),
-      copies_(neighbours_, 2)
+      copies_(neighbours_)
 {
     needFibres(dict.parent(), type(), scene);
     checkEntries(dict, {"range", "roughness", "coefficient"});
@@ -130,14 +130,14 @@ Foam::scalar Foam::lubrication::ofWall(const scalar gap, const scalar r) const
 }
 
 void Foam::lubrication::findResistances(const closePairs& pairs,
-                                        const interactingPoints& points,
+                                        const UList<interactingPoint>& points,
                                         const fibreMotions& motions,
                                         scalarField& k)
 {
     films_.clear();
     for (const closePairs::pair& p : pairs.pairs())
     {
-        const scalar r1 = points.radii[p.first], r2 = points.radii[p.second];
+        const scalar r1 = points[p.first].radius, r2 = points[p.second].radius;
         if (r1 == 0 || r2 == 0) continue;
 
         // Parts of one fibre do not move as the two rods that this is made for
@@ -154,13 +154,13 @@ void Foam::lubrication::findResistances(const closePairs& pairs,
     }
     forAll(motions.toWalls, i)
     {
-        const scalar gap = motions.toWalls[i] - points.radii[i];
-        if (points.radii[i] == 0 || gap >= range_ || !pairs.points().holds(i))
+        const scalar gap = motions.toWalls[i] - points[i].radius;
+        if (points[i].radius == 0 || gap >= range_ || !pairs.holds(i))
         {
             continue;
         }
         const scalar k1 =
-            ofWall(gap, points.radii[i]) * mag(motions.elements[i]);
+            ofWall(gap, points[i].radius) * mag(motions.elements[i]);
         films_.push_back({i, -1, false, k1, 0, 0, motions.inward[i]});
         k[i] += k1;
     }
@@ -205,7 +205,7 @@ void Foam::lubrication::resist(const closePairs& pairs,
         }
         const auto file = [&](const label at)
         {
-            X.append(pairs.here()[at]);
+            X.append(pairs.holdingPlace(at));
             for (const label x : which)
             {
                 entries.append(x);
@@ -216,7 +216,7 @@ void Foam::lubrication::resist(const closePairs& pairs,
         file(i);
         if (f.bothHeld && Pstream::parRun()) file(j);
     }
-    copies_.place(X);
+    copies_.place(X, 2);
     remember(copies_.handOut(entries.cdata(), 6));
 }
 

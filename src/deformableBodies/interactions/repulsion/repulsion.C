@@ -56,12 +56,13 @@ Foam::scalar Foam::repulsion::between(const scalar distance) const
 }
 
 void Foam::repulsion::add(const closePairs& pairs,
-                          const interactingPoints& points, vectorField& F) const
+                          const UList<interactingPoint>& points,
+                          vectorField& F) const
 {
     const scalar perSquare = (table_.size() - 1) / sqr(law_.range());
     for (const closePairs::pair& p : pairs.pairs())
     {
-        const scalar t = points.radii[p.first] + points.radii[p.second];
+        const scalar t = points[p.first].radius + points[p.second].radius;
         scalar perDistance; // f/r
         if (t == 0)
         {
@@ -73,15 +74,15 @@ void Foam::repulsion::add(const closePairs& pairs,
         else
         {
             // Not between two fibres
-            if (points.radii[p.first] > 0 && points.radii[p.second] > 0)
+            if (points[p.first].radius > 0 && points[p.second].radius > 0)
             {
                 continue;
             }
             const scalar apart = mag(p.r);
             perDistance = between(apart - t) / max(apart, SMALL * law_.range());
         }
-        const vector force(perDistance * points.sizes[p.first] *
-                           points.sizes[p.second] * p.r);
+        const vector force(perDistance * points[p.first].size *
+                           points[p.second].size * p.r);
         F[p.first] += force;
         if (p.bothHeld) F[p.second] -= force;
     }
