@@ -4,6 +4,8 @@
                         as many within 0.1 %, no other functions, no more calls of malloc,
                         and no function of CLASSES (a regular expression) in either
     step A              instructions of a step
+    share A FUNCTIONS   the part of a step's instructions in calls of functions (a regular
+                        expression) from others, and in what those call
 """
 import glob
 import re
@@ -52,7 +54,29 @@ def equal(a, b, classes):
         100 * (two[0] / one[0] - 1), len(two[1]), two[2]))
 
 
+def share(case, functions):
+    """Of the last step."""
+    numbers = [int(f.rpartition(".")[2]) for f in glob.glob(case + "/callgrind.[0-9]*")]
+    inside, caller, called, total, pending = 0, "", "", 0, False
+    for line in open("%s/callgrind.%d" % (case, max(numbers) - 1)):
+        if pending:
+            if re.search(functions, called) and not re.search(functions, caller):
+                inside += int(line.split()[-1])
+            pending = False
+        elif line.startswith("fn="):
+            caller = line[3:]
+        elif line.startswith("cfn="):
+            called = line[4:]
+        elif line.startswith("calls="):
+            pending = True
+        elif line.startswith("totals:"):
+            total = int(line.split()[1])
+    return inside / total
+
+
 if sys.argv[1] == "equal":
     equal(*sys.argv[2:5])
+elif sys.argv[1] == "share":
+    print("%.5f" % share(*sys.argv[2:4]))
 else:
     print(step(sys.argv[2])[0])

@@ -44,7 +44,7 @@ struct Foam::markerSet::weightBatch
         {
             for (label k = 0; k < all; ++k)
             {
-                const scalar x = markers.at_[d][begin + min(k, size - 1)];
+                const scalar x = markers.at_[begin + min(k, size - 1)][d];
                 position[d][k] = x;
                 position[d + 3][k] = x - 0.5;
             }
@@ -141,22 +141,28 @@ void Foam::markerSet::sort()
         to[d] = kernel_.reach() + last - 1e-9; // whatever the rounding
     }
 
-    std::vector<vector> place(n);
-    labelList start(nBuckets + 2, Zero), in(n);
-    const vector& origin = grid_.origin();
-    const vector& h = grid_.h();
-    for (label k = 0; k < n; ++k)
+    // In cells of the box
+    const vector perH(cmptDivide(vector::one, grid_.h()));
+    const auto placeOf = [&](const label k)
     {
-        vector& x = place[k];
-        bool whole = true;
+        vector x(cmptMultiply(X()[k] - grid_.origin(), perH));
         for (direction d = 0; d < 3; ++d)
         {
             const scalar size = grid_.n()[d];
-            x[d] = (X()[k][d] - origin[d]) / h[d];
             if (grid_.periodic(d) && !(x[d] >= 0 && x[d] < size))
             {
                 x[d] -= size * std::floor(x[d] / size);
             }
+        }
+        return x;
+    };
+    labelList start(nBuckets + 2, Zero), in(n);
+    for (label k = 0; k < n; ++k)
+    {
+        const vector x(placeOf(k));
+        bool whole = true;
+        for (direction d = 0; d < 3; ++d)
+        {
             whole = whole && x[d] >= from[d] && x[d] < to[d];
         }
         in[k] = whole ? (label(x.y()) - box.lo.y()) / rows +
@@ -170,18 +176,12 @@ void Foam::markerSet::sort()
     }
     nWhole_ = start[nBuckets];
     sorted_.resize(n);
-    for (auto& coordinate : at_)
-    {
-        coordinate.resize(n);
-    }
+    at_.resize(n);
     for (label k = 0; k < n; ++k)
     {
         const label to = start[in[k]]++;
         sorted_[to] = k;
-        for (direction d = 0; d < 3; ++d)
-        {
-            at_[d][to] = place[k][d];
-        }
+        at_[to] = placeOf(k);
     }
 }
 
@@ -395,7 +395,7 @@ void Foam::markerSet::sweepAll(const UList<vector>& F,
                                const List<staggeredView>& u,
                                UList<vector>& U) const
 {
-    const auto layerOf = [&](const label k) { return label(at_[2][k]); };
+    const auto layerOf = [&](const label k) { return label(at_[k].z()); };
     label scattered = 0, gathered = 0;
     scatterCut<n>(F, f);
     if (u.empty())
