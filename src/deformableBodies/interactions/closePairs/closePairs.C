@@ -2,9 +2,13 @@
 
 #include "closePairs.H"
 #include "pointBins.H"
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+
+// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#include <Eigen/Core>
 
 namespace
 {
@@ -12,39 +16,19 @@ using namespace Foam;
 
 using eight = Eigen::Array<double, closePairs::nParts, 1>;
 
-//- Squares of distances by nearest images, of one or of eight
-class nearestSquare
+inline double nearest(const double x)
 {
-    vector length_, perLength_; // no images where it is 0
-
-    static double nearest(const double x) { return std::rint(x); }
-    static eight nearest(const eight& x) { return x.rint(); }
-
-public:
-    explicit nearestSquare(const uniformGrid& grid)
-        : length_(grid.length()),
-          perLength_(Zero)
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            if (grid.periodic(d)) perLength_[d] = 1 / length_[d];
-        }
-    }
-
-    template<class Number>
-    Number operator()(Number x, Number y, Number z) const
-    {
-        x -= length_.x() * nearest(Number(x * perLength_.x()));
-        y -= length_.y() * nearest(Number(y * perLength_.y()));
-        z -= length_.z() * nearest(Number(z * perLength_.z()));
-        return x * x + y * y + z * z;
-    }
-};
+    return std::rint(x);
+}
+inline eight nearest(const eight& x)
+{
+    return x.rint();
+}
 
 //- visit(i, j) of the parts of two clusters whose spheres are within range
-template<class Cluster, class Visit>
+template<class Cluster, class Square, class Visit>
 void eachNear(const Cluster& p, const Cluster& q, const double range,
-              const nearestSquare& square, Visit visit)
+              const Square& square, Visit visit)
 {
     const auto all = [](const double* values)
     { return Eigen::Map<const eight>(values); };
@@ -106,9 +90,30 @@ Foam::labelList Foam::patchOrder(const UList<vector>& X)
     return order;
 }
 
+Foam::closePairs::nearestSquare::nearestSquare(const uniformGrid& grid)
+    : length_(grid.length()),
+      perLength_(Zero)
+{
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (grid.periodic(d)) perLength_[d] = 1 / length_[d];
+    }
+}
+
+template<class Number>
+Number Foam::closePairs::nearestSquare::operator()(Number x, Number y,
+                                                   Number z) const
+{
+    x -= length_.x() * nearest(Number(x * perLength_.x()));
+    y -= length_.y() * nearest(Number(y * perLength_.y()));
+    z -= length_.z() * nearest(Number(z * perLength_.z()));
+    return x * x + y * y + z * z;
+}
+
 Foam::closePairs::closePairs(const uniformGrid& grid, const scalar range)
     : grid_(grid),
       range_(range),
+      square_(grid),
       neighbours_(grid),
       copies_(neighbours_)
 {
@@ -295,7 +300,6 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body,
     }
 
     // Each with those in its bin and next to it, each two once
-    const nearestSquare square(grid_);
     for (label i = 0; i < nRegions; ++i)
     {
         const cluster& p = regions_[i];
@@ -311,7 +315,7 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body,
                     continue;
                 }
                 const vector r(p.centre - q.centre);
-                if (square(r.x(), r.y(), r.z()) <
+                if (square_(r.x(), r.y(), r.z()) <
                     sqr(range_ + p.radius + q.radius))
                 {
                     compareRegions(p, regions_[q.number], apart);
@@ -325,7 +329,7 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body,
 void Foam::closePairs::compareRegions(const cluster& p, const cluster& q,
                                       const scalar apart)
 {
-    eachNear(p, q, range_, nearestSquare(grid_),
+    eachNear(p, q, range_, square_,
              [&](const label i, const label j)
              {
                  const label a = p.first + i, b = q.first + j;
