@@ -16,19 +16,39 @@ using namespace Foam;
 
 using eight = Eigen::Array<double, closePairs::nParts, 1>;
 
-inline double nearest(const double x)
+//- Squares of distances by nearest images, of one or of eight
+class nearestSquare
 {
-    return std::rint(x);
-}
-inline eight nearest(const eight& x)
-{
-    return x.rint();
-}
+    vector length_, perLength_; // no images where it is 0
+
+    static double nearest(const double x) { return std::rint(x); }
+    static eight nearest(const eight& x) { return x.rint(); }
+
+public:
+    explicit nearestSquare(const uniformGrid& grid)
+        : length_(grid.length()),
+          perLength_(Zero)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (grid.periodic(d)) perLength_[d] = 1 / length_[d];
+        }
+    }
+
+    template<class Number>
+    Number operator()(Number x, Number y, Number z) const
+    {
+        x -= length_.x() * nearest(Number(x * perLength_.x()));
+        y -= length_.y() * nearest(Number(y * perLength_.y()));
+        z -= length_.z() * nearest(Number(z * perLength_.z()));
+        return x * x + y * y + z * z;
+    }
+};
 
 //- visit(i, j) of the parts of two clusters whose spheres are within range
-template<class Cluster, class Square, class Visit>
+template<class Cluster, class Visit>
 void eachNear(const Cluster& p, const Cluster& q, const double range,
-              const Square& square, Visit visit)
+              const nearestSquare& square, Visit visit)
 {
     const auto all = [](const double* values)
     { return Eigen::Map<const eight>(values); };
@@ -90,30 +110,9 @@ Foam::labelList Foam::patchOrder(const UList<vector>& X)
     return order;
 }
 
-Foam::closePairs::nearestSquare::nearestSquare(const uniformGrid& grid)
-    : length_(grid.length()),
-      perLength_(Zero)
-{
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (grid.periodic(d)) perLength_[d] = 1 / length_[d];
-    }
-}
-
-template<class Number>
-Number Foam::closePairs::nearestSquare::operator()(Number x, Number y,
-                                                   Number z) const
-{
-    x -= length_.x() * nearest(Number(x * perLength_.x()));
-    y -= length_.y() * nearest(Number(y * perLength_.y()));
-    z -= length_.z() * nearest(Number(z * perLength_.z()));
-    return x * x + y * y + z * z;
-}
-
 Foam::closePairs::closePairs(const uniformGrid& grid, const scalar range)
     : grid_(grid),
       range_(range),
-      square_(grid),
       neighbours_(grid),
       copies_(neighbours_)
 {
@@ -300,6 +299,7 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body,
     }
 
     // Each with those in its bin and next to it, each two once
+    const nearestSquare square(grid_);
     for (label i = 0; i < nRegions; ++i)
     {
         const cluster& p = regions_[i];
@@ -315,7 +315,7 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body,
                     continue;
                 }
                 const vector r(p.centre - q.centre);
-                if (square_(r.x(), r.y(), r.z()) <
+                if (square(r.x(), r.y(), r.z()) <
                     sqr(range_ + p.radius + q.radius))
                 {
                     compareRegions(p, regions_[q.number], apart);
@@ -329,7 +329,7 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body,
 void Foam::closePairs::compareRegions(const cluster& p, const cluster& q,
                                       const scalar apart)
 {
-    eachNear(p, q, range_, square_,
+    eachNear(p, q, range_, nearestSquare(grid_),
              [&](const label i, const label j)
              {
                  const label a = p.first + i, b = q.first + j;
