@@ -17,17 +17,21 @@ const uniformGrid& grid()
 }
 
 //- Points of several bodies, the same on all ranks: clouds of half a cell about
-//  centres anywhere, beyond periodic sides too
+//  centres anywhere, beyond periodic sides too; or chains that wander from there by
+//  some 0.4 cells from point to point, every second one of which may fold
 struct clouds
 {
     vectorField X;
     labelList body;
+    scalarField along;
 
-    explicit clouds(const label nBodies)
+    explicit clouds(const label nBodies, const label nPoints = 30,
+                    const bool chains = false)
     {
         Random random(3);
         DynamicList<vector> x;
         DynamicList<label> b;
+        DynamicList<scalar> l;
         for (label i = 0; i < nBodies; ++i)
         {
             vector centre(random.sample01<vector>());
@@ -37,22 +41,26 @@ struct clouds
                     grid().periodic(d) ? 2 * centre[d] - 0.5 : centre[d];
                 centre[d] = grid().origin()[d] + s * grid().length()[d];
             }
-            for (label k = 0; k < 30; ++k)
+            for (label k = 0; k < nPoints; ++k)
             {
                 const vector off(random.sample01<vector>() - 0.5 * vector::one);
                 vector p(centre + cmptMultiply(2 * off, grid().h()));
+                if (chains) p = centre + 0.4 * (p - centre);
                 for (direction d = 0; d < 3; ++d)
                 {
                     const scalar lo = grid().origin()[d];
                     if (grid().periodic(d)) continue;
                     p[d] = min(max(p[d], lo), lo + grid().length()[d]);
                 }
+                if (chains) centre = p;
                 x.append(p);
                 b.append(i);
+                l.append(chains && i % 2 ? 0.4 * k * cmptMin(grid().h()) : -1);
             }
         }
         X = x;
         body = b;
+        along = l;
     }
 
     //- Those of this rank: every so many, wherever they are
@@ -71,14 +79,27 @@ struct clouds
 };
 } // namespace
 
-TEST(ClosePairs, asByAllPairs)
+namespace
 {
-    const scalar range = 1.5 * cmptMin(grid().h());
-    closePairs pairs(grid(), range);
-    const clouds all(25);
+//- Pairs are those of all points: bodies of even number make none with each other where
+//  asked, parts of one body where they are further apart than four cells along it
+void isAsByAllPairs(const clouds& all, const bool evenOnesDoNot)
+{
+    const scalar h = cmptMin(grid().h()), range = 1.5 * h, apart = 4 * h;
+    const auto number = [&](const label k)
+    {
+        const label b = all.body[k];
+        return evenOnesDoNot && b % 2 == 0 ? -1 - b : b;
+    };
     const labelList mine(all.mine());
-    const vectorField X(UIndirectList<vector>(all.X, mine));
-    pairs.search(X, labelList(UIndirectList<label>(all.body, mine)));
+    labelList bodies(mine.size());
+    forAll(mine, k)
+    {
+        bodies[k] = number(mine[k]);
+    }
+    closePairs pairs(grid(), range);
+    pairs.search(vectorField(UIndirectList<vector>(all.X, mine)), bodies,
+                 scalarField(UIndirectList<scalar>(all.along, mine)), apart);
 
     // Pairs twice, or once where this rank holds one of the two
     label found = 0;
@@ -97,7 +118,11 @@ TEST(ClosePairs, asByAllPairs)
         for (label j = 0; j < i; ++j)
         {
             const scalar r = mag(nearestImage(grid(), all.X[i], all.X[j]));
-            if (all.body[i] == all.body[j] || r >= range) continue;
+            const bool pair = all.body[i] == all.body[j]
+                                  ? all.along[i] >= 0 &&
+                                        mag(all.along[i] - all.along[j]) > apart
+                                  : number(i) >= 0 || number(j) >= 0;
+            if (!pair || r >= range) continue;
             expected += 2;
             expectedDistances += 2 * r;
         }
@@ -106,6 +131,18 @@ TEST(ClosePairs, asByAllPairs)
     EXPECT_EQ(found, expected);
     test::expectBelow("sum of the distances of pairs",
                       mag(distances / expectedDistances - 1), 1e-12);
+}
+} // namespace
+
+TEST(ClosePairs, asByAllPairs)
+{
+    isAsByAllPairs(clouds(25), false);
+}
+
+TEST(ClosePairs, ofLongBodiesAsByAllPairs)
+{
+    isAsByAllPairs(clouds(7, 150, true), false);
+    isAsByAllPairs(clouds(7, 150, true), true);
 }
 
 // Runs of eight points of a sphere lie within a cap of some eight times their area

@@ -112,9 +112,9 @@ void Foam::bodyInteractions::collect(const participant& p)
         const scalar length = mag(x[k + 1] - x[k]);
         // Whatever the rounding of segments as long as a cell
         const label parts = label(std::ceil(length / apart * (1 - 1e-6)));
-        point.size = length / parts * h;
         for (label j = 0; j < parts; ++j)
         {
+            point.size = length / parts * h;
             const scalar onward = (j + 0.5) / parts;
             which_.append(k);
             onward_.append(onward);
@@ -133,12 +133,12 @@ void Foam::bodyInteractions::act(closePairs& pairs,
                                  const bool lines, const label n,
                                  overlap& deepest)
 {
-    // Pairs of surfaces have a list of their own: here all are as one body
+    // Pairs of surfaces have a list of their own
     labelList body(n);
     forAll(body, k)
     {
-        body[k] = lines && points_[k].radius == 0 ? firstBody_.last()
-                                                  : label(points_[k].body);
+        const label number = label(points_[k].body);
+        body[k] = lines && points_[k].radius == 0 ? -1 - number : number;
     }
     // Parts of a fibre that is not folded cannot come within range before the boxes are
     // compared again

@@ -310,7 +310,8 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body,
             {
                 const sphere& q = sorted[s];
                 if ((other == bin[i] && q.number < i) ||
-                    (q.body == p.body && !p.mayFold))
+                    (q.body == p.body && !p.mayFold) ||
+                    (q.body < 0 && p.body < 0))
                 {
                     continue;
                 }
