@@ -1,7 +1,14 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "dictionaryChecks.H"
+#include "OSspecific.H"
+#include "Pstream.H"
 #include <cctype>
+
+void Foam::firstRankSpeaks()
+{
+    if (Pstream::parRun() && !Pstream::master()) sleep(5);
+}
 
 void Foam::checkEntries(const dictionary& dict, const wordList& allowed)
 {
@@ -9,6 +16,7 @@ void Foam::checkEntries(const dictionary& dict, const wordList& allowed)
     {
         if (!allowed.found(key))
         {
+            firstRankSpeaks();
             FatalIOErrorInFunction(dict)
                 << "unknown entry " << key << " in " << dict.name() << nl
                 << "    allowed: " << flatOutput(allowed) << exit(FatalIOError);
@@ -19,6 +27,7 @@ void Foam::checkEntries(const dictionary& dict, const wordList& allowed)
 void Foam::refuse(const dictionary& dict, const word& name, const string& value,
                   const string& allowed)
 {
+    firstRankSpeaks();
     FatalIOErrorInFunction(dict)
         << "entry " << name << " has the value " << value.c_str() << nl
         << "    allowed: " << allowed.c_str() << exit(FatalIOError);

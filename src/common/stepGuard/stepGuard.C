@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "stepGuard.H"
+#include "dictionaryChecks.H"
 #include "fvc.H"
 #include "lastStep.H"
 #include "volFields.H"
@@ -125,6 +126,7 @@ void Foam::stepGuard::stop(const string& what, const scalar Co,
                 << Foam::name(borne)
                 << ": bodies, forces or conditions need a smaller one";
     }
+    firstRankSpeaks();
     FatalErrorInFunction
         << (starting ? "the time step is too large" : "the flow diverges")
         << " at time " << time.timeName() << ", cell at " << where.second()

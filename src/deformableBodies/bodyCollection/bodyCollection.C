@@ -54,6 +54,7 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
     {
         if (mesh.geometricD()[d] < 0)
         {
+            firstRankSpeaks();
             FatalIOErrorInFunction(dict)
                 << "deformableBodies needs three dimensions, but direction "
                 << vector::componentNames[d] << " has patches of type empty"
@@ -63,6 +64,7 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
     }
     if (mesh.dynamic())
     {
+        firstRankSpeaks();
         FatalIOErrorInFunction(dict)
             << "deformableBodies needs a mesh that does not move or change"
             << exit(FatalIOError);

@@ -69,6 +69,7 @@ void Foam::bodyCollection::stop()
     const Time& time = mesh_.time();
     const string trouble(firstOf(trouble_));
     lastStep::writeBeforeStop(time, outside_ ? string() : trouble);
+    firstRankSpeaks();
     FatalErrorInFunction
         << "a body " << (outside_ ? "left the box" : "diverged") << " at time "
         << time.timeName() << ": " << trouble.c_str() << nl
@@ -212,6 +213,7 @@ Foam::bodyCollection::statesOf(const bodyGroup& group,
     const word& name = group.name();
     const auto differs = [&](const string& what, const string& now)
     {
+        firstRankSpeaks();
         FatalIOErrorInFunction(saved)
             << "the state has " << what.c_str()
             << ", constant/deformableBodies " << now.c_str() << nl
@@ -279,6 +281,7 @@ void Foam::bodyCollection::compareEntries(const dictionary& saved,
                 if (change.then.empty()) change.then = otherwise;
                 if (change.now.empty()) change.now = otherwise;
                 if (change.then == change.now) continue;
+                firstRankSpeaks();
                 FatalIOErrorInFunction(saved)
                     << "group " << groups_[g].name() << ": entry "
                     << change.text().c_str() << " in constant/deformableBodies"
@@ -338,6 +341,7 @@ void Foam::bodyCollection::readState(const IOdictionary& dict)
     const bool found = any && findState(saved, file);
     if (any && !found && time.value() > 0)
     {
+        firstRankSpeaks();
         FatalIOErrorInFunction(dict)
             << "no state of the bodies for time " << time.timeName()
             << ", file " << file.c_str() << nl
@@ -349,6 +353,7 @@ void Foam::bodyCollection::readState(const IOdictionary& dict)
         Info << "Bodies continue from " << file << nl;
         if (saved.getOrDefault<bool>("diverged", false))
         {
+            firstRankSpeaks();
             FatalIOErrorInFunction(saved)
                 << "this state was written because the run diverged" << nl
                 << "    allowed: an earlier time to start from"
@@ -380,6 +385,7 @@ void Foam::bodyCollection::readState(const IOdictionary& dict)
         for (const word& name : saved.toc())
         {
             if (!isGroup(name) || known.found(name)) continue;
+            firstRankSpeaks();
             FatalIOErrorInFunction(saved)
                 << "the state has a group " << name
                 << ", constant/deformableBodies none" << nl

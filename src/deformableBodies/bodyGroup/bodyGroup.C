@@ -170,6 +170,7 @@ void Foam::bodyGroup::checkWalls(const dictionary& dict, const label body,
         if (!scene_.grid.periodic(d) &&
             (bounds.min()[d] < lo[d] || bounds.max()[d] > hi[d]))
         {
+            firstRankSpeaks();
             FatalIOErrorInFunction(dict)
                 << "entry positions: body " << body
                 << " reaches through a wall of the box: it extends from "
@@ -276,6 +277,7 @@ void Foam::bodyGroup::readPlaces(const dictionary& dict, const solidForm& form,
     {
         if (!box.contains(positions_[i]))
         {
+            firstRankSpeaks();
             FatalIOErrorInFunction(dict)
                 << "entry positions: body " << i << " at " << positions_[i]
                 << " lies outside the box" << nl << "    allowed: points in "

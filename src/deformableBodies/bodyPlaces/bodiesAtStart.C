@@ -210,6 +210,7 @@ void Foam::bodyPlaces::checkStart(const dictionary& dict) const
     reduce(nErrors, sumOp<label>());
     if (nErrors)
     {
+        firstRankSpeaks();
         FatalIOErrorInFunction(dict)
             << "entry positions: " << firstOf(error).c_str()
             << " (such pairs: " << nErrors << ")" << nl

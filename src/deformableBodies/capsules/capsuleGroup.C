@@ -393,6 +393,7 @@ void Foam::capsuleGroup::checkStart(const label i, const dictionary& dict) const
     {
         if (bounds.span()[d] >= length[d])
         {
+            firstRankSpeaks();
             FatalIOErrorInFunction(dict)
                 << "body " << body << " is larger than the box: it spans "
                 << bounds.span()[d] << " in direction "

@@ -3,6 +3,7 @@
 // What is measured, drawn and saved of a capsule
 
 #include "capsuleGroup.H"
+#include "dictionaryChecks.H"
 #include <cmath>
 #include <Eigen/Eigenvalues>
 
@@ -218,6 +219,7 @@ Foam::point Foam::capsuleGroup::centreOf(const scalarList& state,
 {
     if (partsOf(state) < 0)
     {
+        firstRankSpeaks();
         FatalIOErrorInFunction(source)
             << "the saved state of body " << body << " of group " << name()
             << " has " << state.size() << " numbers where "

@@ -41,6 +41,7 @@ class starSurface
 
     void refuseFile(const string& why) const
     {
+        firstRankSpeaks();
         FatalIOErrorInFunction(dict_)
             << "entry file: " << dict_.get<fileName>("file").c_str() << " "
             << why.c_str() << nl

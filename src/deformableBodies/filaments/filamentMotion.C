@@ -3,6 +3,7 @@
 // Filaments and the fluid within a time step, and between runs
 
 #include "filamentGroup.H"
+#include "dictionaryChecks.H"
 #include <cmath>
 
 Foam::label Foam::filamentGroup::nMarkers() const
@@ -323,6 +324,7 @@ Foam::point Foam::filamentGroup::centreOf(const scalarList& state,
                       3 * (points_.size() + (twoWay() ? markersEach() : 0));
     if (state.size() != all)
     {
+        firstRankSpeaks();
         FatalIOErrorInFunction(source)
             << "the saved state of body " << number << " of group " << name()
             << " has " << state.size() << " numbers where " << all
@@ -341,6 +343,7 @@ void Foam::filamentGroup::setState(const label i, const scalarList& state,
     x.line.restore(state.cdata());
     if (properties_.scheme == filament::IMPLICIT && x.line.lengthError() > 1e-6)
     {
+        firstRankSpeaks();
         FatalIOErrorInFunction(source)
             << "the saved state of body " << mine()[i]
             << " has segments of another length: was the entry length changed?"

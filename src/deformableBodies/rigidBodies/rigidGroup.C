@@ -300,6 +300,7 @@ Foam::point Foam::rigidGroup::centreOf(const scalarList& state,
     const label all = 18 + 6 * markers_.size();
     if (state.size() != all)
     {
+        firstRankSpeaks();
         FatalIOErrorInFunction(source)
             << "the saved state of body " << number << " of group " << name()
             << " has " << state.size() << " numbers where " << all

@@ -42,6 +42,7 @@ bool Foam::functionObjects::energySpectrum::read(const dictionary& dict)
         sides[d].periodic = true;
         if (!grid_.periodic(d))
         {
+            firstRankSpeaks();
             FatalIOErrorInFunction(dict)
                 << typeName << " needs a box that is periodic in all "
                 << "directions, but " << vector::componentNames[d] << " is not"

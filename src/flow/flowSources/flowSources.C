@@ -181,6 +181,7 @@ void Foam::flowSources::addCellSource(fv::option& o)
     const fvVectorMatrix eqn(matrixOf(o, U_));
     if (isImplicit(eqn))
     {
+        firstRankSpeaks();
         FatalIOErrorInFunction(o.coeffs())
             << "fvOption " << o.name() << " has an implicit part, which the "
             << "staggered algorithm does not know; use flowAlgorithm pimple"

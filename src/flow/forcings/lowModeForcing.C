@@ -31,6 +31,7 @@ Foam::fv::lowModeForcing::lowModeForcing(const word& name,
     {
         if (!grid_.periodic(d))
         {
+            firstRankSpeaks();
             FatalIOErrorInFunction(dict_)
                 << modelType << " needs a box that is periodic in all "
                 << "directions, but " << vector::componentNames[d] << " is not"

@@ -96,6 +96,7 @@ void Foam::staggeredFlow::requireBlocks(const fvMesh& mesh,
     const bool whole = grid.index().size() == grid.box().count();
     if (returnReduce(whole && grid.index().size(), andOp<bool>())) return;
 
+    firstRankSpeaks();
     FatalIOErrorInFunction(controls)
         << "only the decomposition keeps this case from the flow algorithm "
         << "staggered: the cells of a rank must be one rectangular block" << nl

@@ -263,6 +263,7 @@ void Foam::staggeredFlow::begin(const scalar dt)
         const string reason(readWalls(U_, wallsAhead_));
         if (!reason.empty())
         {
+            firstRankSpeaks();
             FatalIOErrorInFunction(controls_)
                 << "flowAlgorithm staggered cannot go on at time "
                 << mesh_.time().timeName() << ": " << reason.c_str()

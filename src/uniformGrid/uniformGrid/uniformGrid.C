@@ -151,6 +151,7 @@ void Foam::uniformGrid::require(const dictionary& dict, const string& who) const
 {
     if (!valid())
     {
+        firstRankSpeaks();
         FatalIOErrorInFunction(dict)
             << who.c_str() << " needs a mesh that is one box of equal "
             << "hexahedra along the axes, but " << reason_.c_str()

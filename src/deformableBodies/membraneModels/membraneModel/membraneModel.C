@@ -16,6 +16,7 @@ Foam::membraneModel::New(const dictionary& dict)
     auto cstr = dictionaryConstructorTablePtr_->cfind(law);
     if (!cstr.found())
     {
+        firstRankSpeaks();
         FatalIOErrorInFunction(dict)
             << "entry law has the value " << law << nl << "    allowed: "
             << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
