@@ -68,6 +68,7 @@ bool Foam::functionObjects::energySpectrum::execute()
     grid_.toStaggered(lookupObject<surfaceScalarField>(phiName_), u);
 
     planeTransform& t = *transform_;
+    const planeTransform::rows rows(t.dealtTo(Pstream::myProcNo()));
     const vector& h = grid_.h();
     const scalar nAll = scalar(t.nFast) * t.nSlow * t.nThird;
 
@@ -102,11 +103,10 @@ bool Foam::functionObjects::energySpectrum::execute()
     for (direction d = 0; d < 3; ++d)
     {
         t.forward(u[d].cdata());
-        t.transformThird();
-        const double* row = t.rows();
+        const double* row = t.transformThird();
         for (label k = 0; k < t.nThird; ++k)
         {
-            for (label j = t.firstRow; j < t.firstRow + t.nRows; ++j)
+            for (label j = rows.first; j < rows.first + rows.n; ++j)
             {
                 const scalar w = 0.5 * third.weight[k] * slow.weight[j] / nAll;
                 for (label i = 0; i < t.nFast; ++i)

@@ -124,10 +124,11 @@ void Foam::staggeredFlow::hold(const direction component, const scalar mean)
 // wall's velocity, normal ones zero on the wall
 void Foam::staggeredFlow::updateVelocity()
 {
+    const FixedList<scalar*, 3> all({u_[0].data(), u_[1].data(), u_[2].data()});
+    block_.update(all);
     for (direction c = 0; c < 3; ++c)
     {
-        double* u = u_[c].data();
-        block_.update(u);
+        double* u = all[c];
         for (direction d = 0; d < 3; ++d)
         {
             const label s = block_.stride(d);

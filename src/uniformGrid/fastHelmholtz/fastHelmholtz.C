@@ -1,11 +1,47 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "fastHelmholtz.H"
+#include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace Foam
 {
 defineTypeNameAndDebug(fastHelmholtzCache, 0);
 }
+
+namespace
+{
+using namespace Foam;
+
+//- What a piece says of its ends for each line, in rows of doubles (behind them follow
+//  the values of the constant mode, of all planes): right-hand side and
+//  diagonal of the equation of its last plane; what it adds to those of the plane before
+//  it; the coefficient between the two
+enum
+{
+    OWN,
+    OWNDIAGONAL,
+    BEFORE,
+    BEFOREDIAGONAL,
+    BETWEEN,
+    NENDS
+};
+
+//- What it is told: the values of its last plane and of the plane before it
+enum
+{
+    LAST,
+    PREVIOUS,
+    NTOLD
+};
+
+//- The rank that is dealt the first slow mode solves the line of the constant one
+bool holdsFirst(const planeTransform::rows& dealt)
+{
+    return dealt.first == 0 && dealt.n > 0;
+}
+} // namespace
 
 Foam::fastHelmholtz::fastHelmholtz(const uniformGrid& grid,
                                    const FixedList<sideConditions, 3>& sides,
@@ -13,11 +49,73 @@ Foam::fastHelmholtz::fastHelmholtz(const uniformGrid& grid,
                                    const labelUList& places)
     : sides_(sides),
       transform_(grid, sides, cells, places),
-      work_((2 * transform_.nThird + 3) * transform_.rowLength, 0),
-      constant_(2 * transform_.nThird)
+      work_((2 * transform_.nPlanes + 3) * transform_.rowLength, 0),
+      eigenOfFirst_(transform_.eigenFast)
 {
-    std::fill_n(work_.data() + (transform_.nThird + 1) * transform_.rowLength,
+    std::fill_n(work_.data() + (transform_.nPlanes + 1) * transform_.rowLength,
                 transform_.rowLength, 1.0);
+    std::fill_n(eigenOfFirst_.data(), transform_.complexModes ? 2 : 1, 1.0);
+
+    const label ranks = Pstream::parRun() ? Pstream::nProcs() : 1;
+    for (label rank = 0; rank < ranks; ++rank)
+    {
+        const label n = transform_.nThird;
+        if (planeTransform::firstDealt(n, rank, ranks) ==
+            planeTransform::firstDealt(n, rank + 1, ranks))
+        {
+            continue;
+        }
+        if (rank == Pstream::myProcNo()) mine_ = holders_.size();
+        holders_.append(rank);
+    }
+    const bool cyclic = sides[transform_.third].periodic;
+    const label nPieces = holders_.size();
+    coupled_ = cyclic || nPieces > 1;
+    backwards_ = !cyclic && mine_ > 0 && mine_ == nPieces - 1;
+    follows_ = cyclic || (mine_ > 0 && !backwards_);
+
+    const label m = transform_.rowLength;
+    couple_.resize((3 * nPieces + 2) * m);
+    if (nPieces == 1)
+    {
+        ends_.resize(NENDS * m + transform_.nThird);
+        told_.resize(NTOLD * m + transform_.nThird);
+        return;
+    }
+    const auto exchange = [&](const label each, std::vector<double>& here,
+                              std::vector<double>& there)
+    {
+        const label n = each * m;
+        DynamicList<label> rank, place, source;
+        const auto travels = [&](const label to, const label p, const label s)
+        {
+            rank.append(to);
+            place.append(p);
+            source.append(s);
+        };
+        here.resize(n * transform_.nSlowModes + transform_.nPlanes);
+        for (label to = 0; to < ranks && mine_ >= 0; ++to)
+        {
+            const planeTransform::rows dealt(transform_.dealtTo(to));
+            for (label i = 0; i < n * dealt.n; ++i)
+            {
+                travels(to, n * dealt.n * mine_ + i, n * dealt.first + i);
+            }
+            for (label k = 0; k < transform_.nPlanes && holdsFirst(dealt); ++k)
+            {
+                travels(to, n * dealt.n * nPieces + transform_.firstPlane + k,
+                        n * transform_.nSlowModes + k);
+            }
+        }
+        const planeTransform::rows dealt(
+            transform_.dealtTo(Pstream::myProcNo()));
+        there.resize(n * dealt.n * nPieces +
+                     (holdsFirst(dealt) ? transform_.nThird : 0));
+        return std::unique_ptr<indexExchange>(
+            new indexExchange(rank, place, source));
+    };
+    toDealt_ = exchange(NENDS, ends_, allEnds_);
+    fromDealt_ = exchange(NTOLD, told_, allTold_);
 }
 
 bool Foam::fastHelmholtz::singular(const scalar sigma) const
@@ -26,136 +124,242 @@ bool Foam::fastHelmholtz::singular(const scalar sigma) const
            sides_[1].constantAllowed() && sides_[2].constantAllowed();
 }
 
-// The tridiagonal systems of one slow mode and all fast modes together, so that the
-// inner loops run over neighbours in memory. Where the direction is periodic, rows
-// before the last have its unknown as well, and the last one is freed of all others
-// on the way:
-//     x_j = y_j + c_j x_{j+1} + e_j x_last
-void Foam::fastHelmholtz::sweepRow(double* row, const label slowMode,
-                                   const scalar sigma,
-                                   const FixedList<scalar, 3>& a)
+template<bool values>
+void Foam::fastHelmholtz::eliminate(const label slowMode, const scalar sigma,
+                                    const FixedList<scalar, 3>& a, double* ends)
 {
-    const sideConditions& ends = sides_[transform_.third];
-    const bool cyclic = ends.periodic;
+    const sideConditions& walls = sides_[transform_.third];
     const double at = a[transform_.third], af = a[transform_.fast];
-    const label n = transform_.nThird, m = transform_.rowLength,
-                stride = m * transform_.nRows, last = n - (cyclic ? 2 : 1);
-    const double* eigen = transform_.eigenFast.data();
+    const label n = transform_.nPlanes, m = transform_.rowLength,
+                interior = coupled_ ? n - 1 : n, stride = this->stride();
+    const double* eigen = singular(sigma) && slowMode == 0
+                              ? eigenOfFirst_.data()
+                              : transform_.eigenFast.data();
     const double base =
         sigma + a[transform_.slow] * transform_.eigenSlow[slowMode] + 2 * at;
     const double scale = 1 / transform_.normalisation;
+
+    const auto planeOf = [&](const label k)
+    { return transform_.firstPlane + (backwards_ ? n - 1 - k : k); };
+    const auto diagonal = [&](const label plane)
+    {
+        double diag = base;
+        if (!walls.periodic && !walls.faces)
+        {
+            if (plane == 0) diag += walls.lowerDirichlet ? at : -at;
+            if (plane == transform_.nThird - 1)
+            {
+                diag += walls.upperDirichlet ? at : -at;
+            }
+        }
+        return diag;
+    };
+    // A value on the wall is zero
+    const auto onWall = [&](const label plane)
+    { return walls.faces && plane == 0; };
 
     // Before c_0 and y_0 come zeros, before e_0 ones
     const double* zero = work_.data();
     double* c = work_.data() + m;
     double* e = c + (n + 1) * m;
-    double* diagLast = e + n * m;
-    double* xLast = row + (n - 1) * stride;
-    if (cyclic)
-    {
-        for (label i = 0; i < m; ++i)
-        {
-            diagLast[i] = base + af * eigen[i];
-            xLast[i] *= scale;
-        }
-    }
+    double* before = ends + BEFORE * m;
+    double* beforeDiagonal = ends + BEFOREDIAGONAL * m;
+    if (values && coupled_) std::fill_n(ends, NENDS * m, 0.0);
 
-    for (label j = 0; j <= last; ++j)
-    {
-        double diag = base;
-        if (!cyclic && !ends.faces)
-        {
-            if (j == 0) diag += ends.lowerDirichlet ? at : -at;
-            if (j == n - 1) diag += ends.upperDirichlet ? at : -at;
-        }
-        // A value on the wall is zero
-        const double open = ends.faces && j == 0 ? 0 : 1;
+    // A step along the line changes c by the square of the factor by which it changes a
+    // solution, of the slowest fast mode
+    const double least = *std::min_element(eigen, eigen + m);
+    const double decay = std::acosh((base + af * least) / (2 * at));
+    settled_ = decay * n > 19 ? label(19 / decay) + 2 : n;
 
-        double* x = row + j * stride;
-        const double* xm = j ? x - stride : zero;
-        double* cj = c + j * m;
-        const double* cm = cj - m;
-#pragma GCC ivdep
-        for (label i = 0; i < m; ++i)
-        {
-            const double r = open / (diag + af * eigen[i] - at * cm[i]);
-            cj[i] = at * r;
-            x[i] = (scale * x[i] + at * xm[i]) * r;
-        }
-        if (!cyclic) continue;
-
-        double* ej = e + j * m;
-        const double* em = ej - m;
-        const double next = j == last ? 1 : 0;
-#pragma GCC ivdep
-        for (label i = 0; i < m; ++i)
-        {
-            const double inLast = at * (em[i] + next);
-            ej[i] = cj[i] * em[i];
-            xLast[i] += inLast * x[i];
-            diagLast[i] -= inLast * (ej[i] + next * cj[i]);
-        }
-    }
-
-    if (cyclic)
+    double* row = firstOf(slowMode);
+    for (label k = 0; k < interior; ++k)
     {
-        for (label i = 0; i < m; ++i)
-        {
-            xLast[i] /= diagLast[i];
-        }
-    }
-    for (label j = n - 2; j >= 0; --j)
-    {
-        double* x = row + j * stride;
-        const double* xp = x + stride;
-        const double* cj = c + j * m;
-        const double* ej = e + j * m;
-        if (cyclic)
+        const double diag = diagonal(planeOf(k));
+        const double open = onWall(planeOf(k)) ? 0 : 1;
+        double* x = row + k * stride;
+        const double* xm = k ? x - stride : zero;
+        const double* cm = c + min(k - 1, settled_) * m;
+
+        // The diagonal of the last plane is another one at a wall
+        const bool own = k <= settled_ || k == n - 1;
+        double* ck = c + (own ? k : settled_) * m;
+        if (own)
         {
 #pragma GCC ivdep
             for (label i = 0; i < m; ++i)
             {
-                x[i] += cj[i] * xp[i] + ej[i] * xLast[i];
+                ck[i] = at * open / (diag + af * eigen[i] - at * cm[i]);
+            }
+        }
+        if (values)
+        {
+            const double scaled = scale / at;
+#pragma GCC ivdep
+            for (label i = 0; i < m; ++i)
+            {
+                x[i] = (scaled * x[i] + xm[i]) * ck[i];
+            }
+        }
+        if (!follows(k)) continue;
+
+        double* ek = e + k * m;
+        const double* em = ek - m;
+#pragma GCC ivdep
+        for (label i = 0; i < m; ++i)
+        {
+            ek[i] = ck[i] * em[i];
+            if (values)
+            {
+                before[i] += at * em[i] * x[i];
+                beforeDiagonal[i] += at * em[i] * ek[i];
+            }
+        }
+    }
+    if (!values || !coupled_) return;
+
+    const double diag = diagonal(planeOf(n - 1));
+    const bool wall = onWall(planeOf(n - 1));
+    const double* x = row + (n - 1) * stride;
+    const double* xm = n > 1 ? x - stride : zero;
+    const double* cm = c + min(n - 2, settled_) * m;
+    const double* em = follows(n - 2) ? e + (n - 2) * m : zero;
+    for (label i = 0; i < m; ++i)
+    {
+        ends[OWN * m + i] = wall ? 0 : scale * x[i] + at * xm[i];
+        ends[OWNDIAGONAL * m + i] =
+            wall ? GREAT * at : diag + af * eigen[i] - at * cm[i];
+        ends[BETWEEN * m + i] = backwards_ ? at : at * em[i];
+    }
+}
+
+void Foam::fastHelmholtz::substitute(const label slowMode, const double* told)
+{
+    const label n = transform_.nPlanes, m = transform_.rowLength,
+                stride = this->stride();
+    const double* c = work_.data() + m;
+    const double* e = c + (n + 1) * m;
+    const double* previous = told + PREVIOUS * m;
+    double* row = firstOf(slowMode);
+    if (coupled_)
+    {
+        std::copy_n(told + LAST * m, m, row + (n - 1) * stride);
+    }
+    for (label k = n - 2; k >= 0; --k)
+    {
+        double* x = row + k * stride;
+        const double* xp = x + stride;
+        const double* ck = c + min(k, settled_) * m;
+        const double* ek = e + k * m;
+        if (follows(k))
+        {
+#pragma GCC ivdep
+            for (label i = 0; i < m; ++i)
+            {
+                x[i] += ck[i] * xp[i] + ek[i] * previous[i];
             }
             continue;
         }
 #pragma GCC ivdep
         for (label i = 0; i < m; ++i)
         {
-            x[i] += cj[i] * xp[i];
+            x[i] += ck[i] * xp[i];
         }
     }
 }
 
-// The singular column of the constant mode, in constant_, by two summations:
-// first the differences, then the values; the means of b and x are taken out.
-void Foam::fastHelmholtz::sweepConstant(const scalar a)
+// Elimination once more, of one unknown per piece; the last one of all is coupled to
+// the first where the direction is periodic
+void Foam::fastHelmholtz::couple(const double* ends, const label nextEnds,
+                                 double* told, const label nextTold)
+{
+    const label P = holders_.size(), m = transform_.rowLength;
+    const auto end = [&](const label p, const label which)
+    { return ends + (p % P) * nextEnds + which * m; };
+    double* c = couple_.data();
+    double* e = c + P * m;
+    double* y = e + P * m;
+    double* lastValue = y + P * m;
+    double* lastDiagonal = lastValue + m;
+    for (label p = P - 1, k = 0; k < P; p = k++)
+    {
+        const double* own = end(p, OWN);
+        const double* diagonal = end(p, OWNDIAGONAL);
+        const double* added = end(p + 1, BEFORE);
+        const double* addedDiagonal = end(p + 1, BEFOREDIAGONAL);
+        const double* between = end(p, BETWEEN);
+        const double* betweenNext = end(p + 1, BETWEEN);
+        if (p == P - 1)
+        {
+            const double once = P == 1 ? 2 : 0;
+            for (label i = 0; i < m; ++i)
+            {
+                lastValue[i] = own[i] + added[i];
+                lastDiagonal[i] =
+                    diagonal[i] - addedDiagonal[i] - once * between[i];
+            }
+            continue;
+        }
+        for (label i = 0; i < m; ++i)
+        {
+            const double with = p ? between[i] : 0;
+            const double cm = p ? c[(p - 1) * m + i] : 0,
+                         ym = p ? y[(p - 1) * m + i] : 0;
+            const double toLast = (p ? with * e[(p - 1) * m + i] : between[i]) +
+                                  (p == P - 2 ? betweenNext[i] : 0);
+            const double r = 1 / (diagonal[i] - addedDiagonal[i] - with * cm);
+            c[p * m + i] = p == P - 2 ? 0 : betweenNext[i] * r;
+            e[p * m + i] = toLast * r;
+            y[p * m + i] = (own[i] + added[i] + with * ym) * r;
+            lastValue[i] += toLast * y[p * m + i];
+            lastDiagonal[i] -= toLast * e[p * m + i];
+        }
+    }
+    double* last = told + (P - 1) * nextTold + LAST * m;
+    for (label i = 0; i < m; ++i)
+    {
+        last[i] = lastValue[i] / lastDiagonal[i];
+    }
+    for (label p = P - 2; p >= 0; --p)
+    {
+        const double* next = told + (p + 1) * nextTold + LAST * m;
+        double* x = told + p * nextTold + LAST * m;
+        for (label i = 0; i < m; ++i)
+        {
+            x[i] =
+                y[p * m + i] + c[p * m + i] * next[i] + e[p * m + i] * last[i];
+        }
+    }
+    for (label p = 0; p < P; ++p)
+    {
+        std::copy_n(told + ((p + P - 1) % P) * nextTold + LAST * m, m,
+                    told + p * nextTold + PREVIOUS * m);
+    }
+}
+
+// The singular line of the constant mode by two summations: first the differences, then
+// the values; the means of b and x are taken out
+void Foam::fastHelmholtz::solveConstant(const double* b, double* x,
+                                        const scalar a) const
 {
     const label n = transform_.nThird;
-    double* b = constant_.data();
-    double* x = b + n;
-    const double scale = 1 / transform_.normalisation;
-    double mean = 0;
-    for (label j = 0; j < n; ++j)
-    {
-        mean += b[j] / n;
-    }
-
-    double slope = 0, value = 0, sum = 0, sumSlope = 0;
+    const double scale = 1 / (transform_.normalisation * a),
+                 mean = std::accumulate(b, b + n, 0.0) / n;
+    double slope = 0, value = 0, values = 0, slopes = 0;
     for (label j = 0; j < n; ++j)
     {
         x[j] = value;
-        sum += value;
-        slope -= scale * (b[j] - mean) / a;
-        sumSlope += slope;
+        values += value;
+        slope -= scale * (b[j] - mean);
+        slopes += slope;
         value += slope;
     }
     // Once round a periodic direction the value must come back to itself
-    const double closing = sides_[transform_.third].periodic ? sumSlope / n : 0;
-    sum -= closing * 0.5 * n * (n - 1);
+    const double closing = sides_[transform_.third].periodic ? slopes / n : 0;
+    values -= closing * 0.5 * n * (n - 1);
     for (label j = 0; j < n; ++j)
     {
-        b[j] = x[j] - closing * j - sum / n;
+        x[j] -= closing * j + values / n;
     }
 }
 
@@ -163,39 +367,64 @@ void Foam::fastHelmholtz::solve(scalar* x, const scalar* b, const scalar sigma,
                                 const FixedList<scalar, 3>& a)
 {
     transform_.forward(b);
-    double* const rows = transform_.rows();
+    const bool constants = singular(sigma);
+    const label m = transform_.rowLength,
+                rows = mine_ >= 0 ? transform_.nSlowModes : 0;
 
-    const bool skipConstant =
-        singular(sigma) && transform_.firstRow == 0 && transform_.nRows > 0;
-    const label stride = transform_.rowLength * transform_.nRows;
-    const label nConstant = transform_.complexModes ? 2 : 1;
-    double* const eigenOfConstant = transform_.eigenFast.data();
-    if (skipConstant)
+    // Behind the ends of all lines here: of one at a time where one rank has them all
+    const label kept = toDealt_ ? rows * m : m;
+    for (label k = 0; k < transform_.nPlanes && constants; ++k)
     {
-        for (label j = 0; j < transform_.nThird; ++j)
+        ends_[NENDS * kept + k] = *transform_.plane(k);
+    }
+    if (toDealt_)
+    {
+        for (label row = 0; row < rows; ++row)
         {
-            constant_[j] = rows[j * stride];
+            eliminate<true>(row, sigma, a, ends_.data() + NENDS * m * row);
         }
-        sweepConstant(a[transform_.third]);
+        toDealt_->forward(ends_.data(), allEnds_.data());
 
-        // Keep the general sweep away from a zero pivot (a trapped exception)
-        std::fill_n(eigenOfConstant, nConstant, 1.0);
-    }
-    for (label r = 0; r < transform_.nRows; ++r)
-    {
-        sweepRow(rows + r * transform_.rowLength, transform_.firstRow + r,
-                 sigma, a);
-        if (skipConstant) std::fill_n(eigenOfConstant, nConstant, 0.0);
-    }
-    if (skipConstant)
-    {
-        for (label j = 0; j < transform_.nThird; ++j)
+        const planeTransform::rows dealt(
+            transform_.dealtTo(Pstream::myProcNo()));
+        const label each = m * dealt.n, all = each * holders_.size();
+        for (label row = 0; row < dealt.n; ++row)
         {
-            rows[j * stride] = constant_[j];
-            if (transform_.complexModes) rows[j * stride + 1] = 0;
+            couple(allEnds_.data() + NENDS * m * row, NENDS * each,
+                   allTold_.data() + NTOLD * m * row, NTOLD * each);
+        }
+        if (constants && holdsFirst(dealt))
+        {
+            solveConstant(allEnds_.data() + NENDS * all,
+                          allTold_.data() + NTOLD * all, a[transform_.third]);
+        }
+        fromDealt_->backward(allTold_.data(), told_.data());
+        for (label row = 0; row < rows; ++row)
+        {
+            eliminate<false>(row, sigma, a, nullptr);
+            substitute(row, told_.data() + NTOLD * m * row);
         }
     }
-
+    else
+    {
+        for (label row = 0; row < rows; ++row)
+        {
+            eliminate<true>(row, sigma, a, ends_.data());
+            if (coupled_) couple(ends_.data(), 0, told_.data(), 0);
+            substitute(row, told_.data());
+        }
+        if (constants)
+        {
+            solveConstant(ends_.data() + NENDS * m, told_.data() + NTOLD * m,
+                          a[transform_.third]);
+        }
+    }
+    for (label k = 0; k < transform_.nPlanes && constants; ++k)
+    {
+        double* mode = transform_.plane(k);
+        mode[0] = told_[NTOLD * kept + k];
+        if (transform_.complexModes) mode[1] = 0;
+    }
     transform_.backward(x);
 }
 

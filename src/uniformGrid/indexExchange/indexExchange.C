@@ -121,69 +121,71 @@ Foam::indexExchange::indexExchange(const labelUList& rank,
         if (proci == me || (theirs.empty() && ours.empty())) continue;
 
         routes_.append(route{proci, ours.size(), theirs.size(), runs(ours),
-                             runs(theirs),
-                             scalarField(max(ours.size(), theirs.size())),
-                             scalarField(max(ours.size(), theirs.size()))});
+                             runs(theirs), scalarField(), scalarField()});
     }
 }
 
-void Foam::indexExchange::send(const label rank, const scalar* values,
-                               const label n)
-{
-    UOPstream::write(Pstream::commsTypes::nonBlocking, rank,
-                     reinterpret_cast<const char*>(values), n * sizeof(scalar));
-    count(n * sizeof(scalar));
-}
-
-void Foam::indexExchange::receive(const label rank, scalar* values,
-                                  const label n)
-{
-    UIPstream::read(Pstream::commsTypes::nonBlocking, rank,
-                    reinterpret_cast<char*>(values), n * sizeof(scalar));
-}
-
-void Foam::indexExchange::transfer(const bool forward, const scalar* src,
-                                   scalar* dst) const
+void Foam::indexExchange::transfer(const bool forward, const label n,
+                                   const scalar* const* src,
+                                   scalar* const* dst) const
 {
     const label pending = Pstream::nRequests();
 
     for (const route& r : routes_)
     {
-        if (const label n = forward ? r.there : r.here)
+        const label size = n * (forward ? r.there : r.here);
+        if (r.in.size() < size) r.in.setSize(size);
+        if (size)
         {
-            receive(r.rank, r.in.data(), n);
+            UIPstream::read(Pstream::commsTypes::nonBlocking, r.rank,
+                            reinterpret_cast<char*>(r.in.data()),
+                            size * sizeof(scalar));
         }
     }
     for (const route& r : routes_)
     {
+        const label size = n * (forward ? r.here : r.there);
+        if (r.out.size() < size) r.out.setSize(size);
         scalar* buf = r.out.data();
-        for (const run& s : forward ? r.source : r.target)
+        for (label k = 0; k < n; ++k)
         {
-            copy(src + s.start, s.stride, buf, 1, s.length);
-            buf += s.length;
+            for (const run& s : forward ? r.source : r.target)
+            {
+                copy(src[k] + s.start, s.stride, buf, 1, s.length);
+                buf += s.length;
+            }
         }
-        if (const label n = forward ? r.here : r.there)
+        if (size)
         {
-            send(r.rank, r.out.cdata(), n);
+            UOPstream::write(Pstream::commsTypes::nonBlocking, r.rank,
+                             reinterpret_cast<const char*>(r.out.cdata()),
+                             size * sizeof(scalar));
+            count(size * sizeof(scalar));
         }
     }
 
     const List<run>& from = forward ? ownSource_ : ownTarget_;
     const List<run>& to = forward ? ownTarget_ : ownSource_;
-    forAll(from, k)
+    for (label k = 0; k < n; ++k)
     {
-        copy(src + from[k].start, from[k].stride, dst + to[k].start,
-             to[k].stride, from[k].length);
+        forAll(from, i)
+        {
+            copy(src[k] + from[i].start, from[i].stride, dst[k] + to[i].start,
+                 to[i].stride, from[i].length);
+        }
     }
 
     Pstream::waitRequests(pending);
     for (const route& r : routes_)
     {
         const scalar* buf = r.in.cdata();
-        for (const run& t : forward ? r.target : r.source)
+        for (label k = 0; k < n; ++k)
         {
-            copy(buf, 1, dst + t.start, t.stride, t.length);
-            buf += t.length;
+            for (const run& t : forward ? r.target : r.source)
+            {
+                copy(buf, 1, dst[k] + t.start, t.stride, t.length);
+                buf += t.length;
+            }
         }
     }
 }

@@ -6,10 +6,10 @@
 
 struct Foam::planeTransform::plans
 {
-    // Planes, one plane for work, rows
+    // Planes, one plane for work, whole lines
     double* planes = nullptr;
     double* work = nullptr;
-    double* rows = nullptr;
+    double* lines = nullptr;
 
     // Of one plane: along rows (both directions at once where modes are real), and
     // columns; along lines
@@ -23,7 +23,7 @@ struct Foam::planeTransform::plans
         {
             if (p) fftw_destroy_plan(p);
         }
-        if (rows != planes) fftw_free(rows);
+        if (lines != planes) fftw_free(lines);
         fftw_free(work);
         fftw_free(planes);
     }
@@ -191,12 +191,9 @@ Foam::planeTransform::planeTransform(const uniformGrid& grid,
     planeSize_ = nSlowModes * rowLength;
 
     const label me = Pstream::myProcNo();
-    const label firstPlane = firstOf(nThird, me);
-    const label nPlanes = firstOf(nThird, me + 1) - firstPlane;
-    firstRow = firstOf(nSlowModes, me);
-    nRows = firstOf(nSlowModes, me + 1) - firstRow;
+    firstPlane = firstOf(nThird, me);
+    nPlanes = firstOf(nThird, me + 1) - firstPlane;
     plans_->planes = zeros(nPlanes * planeSize_);
-    plans_->rows = plans_->planes;
 
     // Memory of the values: [third][slow][fast], with room for the modes of a
     // plane. Those of this rank move plane by plane unless the planes lie across
@@ -218,16 +215,9 @@ Foam::planeTransform::planeTransform(const uniformGrid& grid,
     }
     toPlanes_.reset(new indexExchange(rank, place, source));
     toPlane_.resize(nPlanes);
-    arrived_.setSize(nPlanes);
     for (label p = 0; p < nPlanes; ++p)
     {
         toPlane_[p].keep(ownSource[p], ownPlace[p]);
-    }
-
-    if (Pstream::parRun())
-    {
-        // Memory of the rows: [third][slow][fast] with this rank's slow modes
-        plans_->rows = zeros(nThird * nRows * rowLength);
     }
 
     const realTransform s(sides[slow], nSlow), f(sides[fast], nFast);
@@ -276,9 +266,9 @@ Foam::planeTransform::planeTransform(const uniformGrid& grid,
 
 Foam::planeTransform::~planeTransform() {}
 
-double* Foam::planeTransform::rows()
+double* Foam::planeTransform::plane(const label k)
 {
-    return plans_->rows;
+    return plans_->planes + k * planeSize_;
 }
 
 void Foam::planeTransform::transform(double* plane)
@@ -338,111 +328,67 @@ void Foam::planeTransform::transformBack(double* plane)
                      complexAt(plane));
 }
 
-Foam::planeTransform::part Foam::planeTransform::ofRank(const label p,
-                                                        const label rank)
-{
-    const label first = firstOf(nSlowModes, rank),
-                n = firstOf(nSlowModes, rank + 1) - first;
-    return {plans_->planes + p * planeSize_ + first * rowLength, n * rowLength};
-}
-
-Foam::planeTransform::part Foam::planeTransform::ofPlane(const label plane)
-{
-    const label n = nRows * rowLength;
-    return {plans_->rows + plane * n, n};
-}
-
 void Foam::planeTransform::forward(const scalar* x)
 {
     toPlanes_->forward(x, plans_->planes);
-    const label me = Pstream::myProcNo(), firstPlane = firstOf(nThird, me),
-                nRanks = Pstream::parRun() ? Pstream::nProcs() : 0,
-                pending = Pstream::nRequests();
-    for (label plane = 0; plane < nThird && nRanks; ++plane)
+    for (label k = 0; k < nPlanes; ++k)
     {
-        const label rank = rankOf(nThird, plane);
-        const part to(ofPlane(plane));
-        if (rank != me && to.n) indexExchange::receive(rank, to.values, to.n);
+        toPlane_[k].forward(x, plane(k));
+        transform(plane(k));
     }
-    for (size_t p = 0; p < toPlane_.size(); ++p)
-    {
-        double* plane = plans_->planes + p * planeSize_;
-        toPlane_[p].forward(x, plane);
-        transform(plane);
-        for (label rank = 0; rank < nRanks; ++rank)
-        {
-            const part from(ofRank(p, rank));
-            if (rank == me)
-            {
-                std::copy_n(from.values, from.n,
-                            ofPlane(firstPlane + p).values);
-            }
-            else if (from.n)
-            {
-                indexExchange::send(rank, from.values, from.n);
-            }
-        }
-    }
-    Pstream::waitRequests(pending);
 }
 
 void Foam::planeTransform::backward(scalar* x)
 {
-    const label me = Pstream::myProcNo(), firstPlane = firstOf(nThird, me),
-                nRanks = Pstream::parRun() ? Pstream::nProcs() : 0,
-                pending = Pstream::nRequests();
-    for (size_t p = 0; p < toPlane_.size(); ++p)
+    for (label k = 0; k < nPlanes; ++k)
     {
-        for (label rank = 0; rank < nRanks; ++rank)
-        {
-            const part to(ofRank(p, rank));
-            if (rank != me && to.n)
-            {
-                indexExchange::receive(rank, to.values, to.n);
-            }
-        }
-        arrived_[p] = Pstream::nRequests();
+        transformBack(plane(k));
+        toPlane_[k].backward(plane(k), x);
     }
-    for (label plane = 0; plane < nThird && nRanks; ++plane)
-    {
-        const label rank = rankOf(nThird, plane);
-        const part from(ofPlane(plane));
-        if (rank == me)
-        {
-            std::copy_n(from.values, from.n,
-                        ofRank(plane - firstPlane, me).values);
-        }
-        else if (from.n)
-        {
-            indexExchange::send(rank, from.values, from.n);
-        }
-    }
-    label done = pending;
-    for (size_t p = 0; p < toPlane_.size(); ++p)
-    {
-        for (; done < arrived_[p]; ++done)
-        {
-            Pstream::waitRequest(done);
-        }
-        double* plane = plans_->planes + p * planeSize_;
-        transformBack(plane);
-        toPlane_[p].backward(plane, x);
-    }
-    Pstream::waitRequests(pending);
     toPlanes_->backward(plans_->planes, x);
 }
 
-void Foam::planeTransform::transformThird()
+Foam::planeTransform::rows Foam::planeTransform::dealtTo(const label rank) const
+{
+    const label first = firstOf(nSlowModes, rank);
+    return {first, firstOf(nSlowModes, rank + 1) - first};
+}
+
+const double* Foam::planeTransform::transformThird()
 {
     const int n[1] = {int(nThird)};
-    const int stride = nRows * rowLength;
-    const fftw_r2r_kind kind[1] = {FFTW_R2HC};
-    double* r = rows();
-    if (!plans_->third && stride)
+    const int stride = dealtTo(Pstream::myProcNo()).n * rowLength;
+    if (!plans_->lines)
     {
-        plans_->third =
-            fftw_plan_many_r2r(1, n, stride, r, nullptr, stride, 1, r, nullptr,
-                               stride, 1, kind, FFTW_ESTIMATE);
+        plans_->lines =
+            Pstream::parRun() ? zeros(nThird * stride) : plans_->planes;
+        if (Pstream::parRun())
+        {
+            DynamicList<label> rank, place;
+            for (label k = 0; k < nPlanes; ++k)
+            {
+                for (label to = 0; to < Pstream::nProcs(); ++to)
+                {
+                    const label each = dealtTo(to).n * rowLength;
+                    for (label i = 0; i < each; ++i)
+                    {
+                        rank.append(to);
+                        place.append((firstPlane + k) * each + i);
+                    }
+                }
+            }
+            toLines_.reset(new indexExchange(rank, place));
+        }
+        const fftw_r2r_kind kind[1] = {FFTW_R2HC};
+        double* r = plans_->lines;
+        if (stride)
+        {
+            plans_->third =
+                fftw_plan_many_r2r(1, n, stride, r, nullptr, stride, 1, r,
+                                   nullptr, stride, 1, kind, FFTW_ESTIMATE);
+        }
     }
+    if (toLines_) toLines_->forward(plans_->planes, plans_->lines);
     if (plans_->third) fftw_execute(plans_->third);
+    return plans_->lines;
 }

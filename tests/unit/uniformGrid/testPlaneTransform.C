@@ -45,18 +45,16 @@ TEST(PlaneTransform, waveIsOneMode)
         scalar all = 0, own = 0;
         const scalar slow = w.along[transform.slow].eigenvalue(),
                      fast = w.along[transform.fast].eigenvalue();
-        for (label k = 0; k < transform.nThird; ++k)
+        for (label k = 0; k < transform.nPlanes; ++k)
         {
-            for (label j = 0; j < transform.nRows; ++j)
+            for (label j = 0; j < transform.nSlowModes; ++j)
             {
                 for (label i = 0; i < transform.rowLength; ++i)
                 {
-                    const scalar c = sqr(
-                        transform.rows()[i + transform.rowLength *
-                                                 (j + transform.nRows * k)]);
-                    const scalar off = max(
-                        mag(transform.eigenSlow[transform.firstRow + j] - slow),
-                        mag(transform.eigenFast[i] - fast));
+                    const scalar c =
+                        sqr(transform.plane(k)[i + transform.rowLength * j]);
+                    const scalar off = max(mag(transform.eigenSlow[j] - slow),
+                                           mag(transform.eigenFast[i] - fast));
                     all += c;
                     if (off < 1e-10)
                     {
