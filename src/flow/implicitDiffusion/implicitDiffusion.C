@@ -25,24 +25,41 @@ Foam::implicitDiffusion::implicitDiffusion(const uniformGrid& grid,
     }
 }
 
-void Foam::implicitDiffusion::solve(const direction component, scalar* x,
-                                    const scalar b,
-                                    const wallVelocities& change)
+// The directions of a component follow each other, while it is in the cache, up to one
+// whose lines wait for other ranks
+void Foam::implicitDiffusion::byLines(const FixedList<scalar*, 3>& x,
+                                      const scalar b,
+                                      const wallVelocities& change)
+{
+    FixedList<direction, 3> next(direction(0));
+    FixedList<bool, 3> open(false);
+    for (bool waits = true; waits;)
+    {
+        waits = false;
+        for (direction c = 0; c < 3; ++c)
+        {
+            if (open[c]) lines_[c][next[c]++]->finish(x[c]);
+            open[c] = false;
+            while (x[c] && next[c] < 3 && !open[c])
+            {
+                const direction d = next[c];
+                open[c] = lines_[c][d]->begin(x[c], b / sqr(grid_.h()[d]),
+                                              change[d][0][c], change[d][1][c]);
+                if (!open[c]) ++next[c];
+            }
+            waits = waits || open[c];
+        }
+    }
+}
+
+void Foam::implicitDiffusion::byTransforms(const direction component, scalar* x,
+                                           const scalar b,
+                                           const wallVelocities& change)
 {
     FixedList<scalar, 3> beta;
     for (direction d = 0; d < 3; ++d)
     {
         beta[d] = b / sqr(grid_.h()[d]);
-    }
-
-    if (!transforms_[component])
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            lines_[component][d]->solve(x, beta[d], change[d][0][component],
-                                        change[d][1][component]);
-        }
-        return;
     }
 
     // The mirrored value beyond a wall is 2 change - x
@@ -59,4 +76,19 @@ void Foam::implicitDiffusion::solve(const direction component, scalar* x,
         }
     }
     transforms_[component]->solve(x, x, 1, beta);
+}
+
+void Foam::implicitDiffusion::solve(const FixedList<scalar*, 3>& x,
+                                    const scalar b,
+                                    const wallVelocities& change)
+{
+    if (!transforms_[0])
+    {
+        byLines(x, b, change);
+        return;
+    }
+    for (direction c = 0; c < 3; ++c)
+    {
+        if (x[c]) byTransforms(c, x[c], b, change);
+    }
 }

@@ -308,7 +308,7 @@ void Foam::lineSolver::parts(double* x, Visit visit)
     }
 }
 
-void Foam::lineSolver::solve(double* x, const double beta, const double lower,
+bool Foam::lineSolver::begin(double* x, const double beta, const double lower,
                              const double upper)
 {
     if (beta != beta_) factorise(beta);
@@ -317,9 +317,10 @@ void Foam::lineSolver::solve(double* x, const double beta, const double lower,
         toLines_->forward(x, whole_.data());
         sweepAll(whole_.data(), lower, upper);
         toLines_->backward(whole_.data(), x);
-        return;
+        return false;
     }
     sweepAll(x, lower, upper);
+    return bool(exchange_);
 }
 
 void Foam::lineSolver::sweepAll(double* x, const double lower,
@@ -360,7 +361,13 @@ void Foam::lineSolver::sweepAll(double* x, const double lower,
               std::copy_n(y, m, sent_.data() + line);
               std::copy_n(y + last * stride, m, sent_.data() + nLines + line);
           });
-    exchange_->forward(sent_.data(), received_.data());
+    exchange_->startForward(sent_.data());
+}
+
+void Foam::lineSolver::finish(double* x)
+{
+    const label nLines = before_.size();
+    exchange_->finishForward(sent_.data(), received_.data());
     beyond(received_.data(), nLines, nLines, before_.data(), after_.data());
     parts(x,
           [&](double* y, const label m, const label stride, const label line) {

@@ -135,12 +135,17 @@ void Foam::staggeredFlow::updateVelocity()
             const auto mirror =
                 [&](const label at, const label inward, const scalar wall)
             {
-                block_.layer(d, at,
-                             [&](const labelVector& l)
-                             {
-                                 const label q = block_.place(l);
-                                 u[q] = c == d ? 0 : 2 * wall - u[q + inward];
-                             });
+                const double tangential = c == d ? 0 : 1;
+                block_.layerRows(
+                    d, at,
+                    [&](const label q, const label step, const label n)
+                    {
+#pragma GCC ivdep
+                        for (label i = q; i < q + n * step; i += step)
+                        {
+                            u[i] = tangential * (2 * wall - u[i + inward]);
+                        }
+                    });
             };
             if (block_.wallBelow(d)) mirror(-1, s, walls_[d][0][c]);
             if (block_.wallAbove(d)) mirror(box_.size[d], -s, walls_[d][1][c]);

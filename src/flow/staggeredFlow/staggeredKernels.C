@@ -118,10 +118,13 @@ void Foam::staggeredFlow::holdMean(const direction c, const scalar dt)
     if (b != responseTo_ || response_.empty())
     {
         response_.assign(box_.count(), 1);
+        FixedList<scalar*, 3> x({nullptr, nullptr, nullptr});
+        x[c] = response_.data();
         if (b > 0)
+        {
             implicit_[transforms_]->solve(
-                c, response_.data(), b,
-                wallVelocities(FixedList<vector, 2>(Zero)));
+                x, b, wallVelocities(FixedList<vector, 2>(Zero)));
+        }
         const scalar sum =
             std::accumulate(response_.begin(), response_.end(), 0.0);
         meanResponse_ = returnReduce(sum, sumOp<scalar>()) / nAll;
@@ -249,11 +252,9 @@ void Foam::staggeredFlow::diffuse()
                 change[d][side] = wallsAhead_[d][side] - walls_[d][side];
             }
         }
-        for (direction d = 0; d < 3; ++d)
-        {
-            implicit_[transforms_]->solve(d, increment()[d].data(),
-                                          0.5 * nuMax_ * dt, change);
-        }
+        staggeredField& x = increment();
+        implicit_[transforms_]->solve({x[0].data(), x[1].data(), x[2].data()},
+                                      0.5 * nuMax_ * dt, change);
     }
     walls_ = wallsAhead_;
 

@@ -58,17 +58,19 @@ void Foam::haloBlock::extend(scalar* f) const
 {
     for (direction d = 0; d < 3; ++d)
     {
-        if (wallBelow(d))
+        const auto copy = [&](const label at, const label inward)
         {
-            layer(d, -1,
-                  [&](const labelVector& l)
-                  { f[place(l)] = f[place(l) + stride_[d]]; });
-        }
-        if (wallAbove(d))
-        {
-            layer(d, box_.size[d],
-                  [&](const labelVector& l)
-                  { f[place(l)] = f[place(l) - stride_[d]]; });
-        }
+            layerRows(d, at,
+                      [&](const label q, const label step, const label n)
+                      {
+#pragma GCC ivdep
+                          for (label i = 0; i < n * step; i += step)
+                          {
+                              f[q + i] = f[q + i + inward];
+                          }
+                      });
+        };
+        if (wallBelow(d)) copy(-1, stride_[d]);
+        if (wallAbove(d)) copy(box_.size[d], -stride_[d]);
     }
 }

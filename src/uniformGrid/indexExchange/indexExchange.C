@@ -9,6 +9,9 @@ int64_t Foam::indexExchange::bytes = 0;
 
 namespace
 {
+//- Exchanges that are under way, and the requests that there were before them
+Foam::label underWay = 0, before = 0;
+
 //- Values with a stride to values with a stride
 inline void copy(const double* from, const Foam::label sf, double* to,
                  const Foam::label st, const Foam::label n)
@@ -125,12 +128,11 @@ Foam::indexExchange::indexExchange(const labelUList& rank,
     }
 }
 
-void Foam::indexExchange::transfer(const bool forward, const label n,
-                                   const scalar* const* src,
-                                   scalar* const* dst) const
+void Foam::indexExchange::start(const bool forward, const label n,
+                                const scalar* const* src) const
 {
-    const label pending = Pstream::nRequests();
-
+    if (underWay++ == 0) before = Pstream::nRequests();
+    firstRequest_ = Pstream::nRequests();
     for (const route& r : routes_)
     {
         const label size = n * (forward ? r.there : r.here);
@@ -163,7 +165,13 @@ void Foam::indexExchange::transfer(const bool forward, const label n,
             count(size * sizeof(scalar));
         }
     }
+    endRequest_ = Pstream::nRequests();
+}
 
+void Foam::indexExchange::finish(const bool forward, const label n,
+                                 const scalar* const* src,
+                                 scalar* const* dst) const
+{
     const List<run>& from = forward ? ownSource_ : ownTarget_;
     const List<run>& to = forward ? ownTarget_ : ownSource_;
     for (label k = 0; k < n; ++k)
@@ -175,7 +183,12 @@ void Foam::indexExchange::transfer(const bool forward, const label n,
         }
     }
 
-    Pstream::waitRequests(pending);
+    for (label i = firstRequest_; i < endRequest_; ++i)
+    {
+        Pstream::waitRequest(i);
+    }
+    // Numbers of requests stay while another exchange is under way
+    if (--underWay == 0) Pstream::waitRequests(before);
     for (const route& r : routes_)
     {
         const scalar* buf = r.in.cdata();
