@@ -26,28 +26,48 @@ Foam::implicitDiffusion::implicitDiffusion(const uniformGrid& grid,
 }
 
 // The directions of a component follow each other, while it is in the cache, up to one
-// whose lines wait for other ranks
+// whose lines wait for other ranks. Those come first: the next one makes their correction
 void Foam::implicitDiffusion::byLines(const FixedList<scalar*, 3>& x,
                                       const scalar b,
                                       const wallVelocities& change)
 {
-    FixedList<direction, 3> next(direction(0));
-    FixedList<bool, 3> open(false);
-    for (bool waits = true; waits;)
+    FixedList<direction, 3> order, next({0, 0, 0});
+    label n = 0;
+    for (const bool waits : {true, false})
     {
-        waits = false;
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (lines_[0][d]->waits() == waits) order[n++] = d;
+        }
+    }
+
+    // To the end of a component, or to a direction that waits
+    const auto advance = [&](const direction c)
+    {
+        lineSolver* earlier = nullptr;
+        if (next[c] > 0)
+        {
+            earlier = lines_[c][order[next[c] - 1]].get();
+            earlier->receive();
+        }
+        while (next[c] < 3)
+        {
+            const direction d = order[next[c]++];
+            lineSolver& lines = *lines_[c][d];
+            lines.begin(x[c], b / sqr(grid_.h()[d]), change[d][0][c],
+                        change[d][1][c], earlier);
+            if (lines.waits()) return false;
+            earlier = nullptr;
+        }
+        if (earlier) earlier->correct(x[c]);
+        return true;
+    };
+    FixedList<bool, 3> done({!x[0], !x[1], !x[2]});
+    while (!(done[0] && done[1] && done[2]))
+    {
         for (direction c = 0; c < 3; ++c)
         {
-            if (open[c]) lines_[c][next[c]++]->finish(x[c]);
-            open[c] = false;
-            while (x[c] && next[c] < 3 && !open[c])
-            {
-                const direction d = next[c];
-                open[c] = lines_[c][d]->begin(x[c], b / sqr(grid_.h()[d]),
-                                              change[d][0][c], change[d][1][c]);
-                if (!open[c]) ++next[c];
-            }
-            waits = waits || open[c];
+            done[c] = done[c] || advance(c);
         }
     }
 }

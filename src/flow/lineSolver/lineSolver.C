@@ -266,7 +266,7 @@ void Foam::lineSolver::correct(double* x, const label m, const label stride,
 }
 
 template<class Visit>
-void Foam::lineSolver::parts(double* x, Visit visit)
+void Foam::lineSolver::parts(double* x, const lineSolver* earlier, Visit visit)
 {
     const label nx = box_.size.x(), ny = box_.size.y(), nz = box_.size.z();
     if (dir_)
@@ -274,7 +274,13 @@ void Foam::lineSolver::parts(double* x, Visit visit)
         const bool z = dir_ == 2;
         for (label k = 0; k < (z ? ny : nz); ++k)
         {
-            visit(x + k * (z ? nx : nx * ny), nx, z ? nx * ny : nx, k * nx);
+            double* first = x + k * (z ? nx : nx * ny);
+            const label stride = z ? nx * ny : nx;
+            for (label l = 0; earlier && l < box_.size[dir_]; ++l)
+            {
+                earlier->correctRow(first + l * stride, z ? k : l, z ? l : k);
+            }
+            visit(first, nx, stride, k * nx);
         }
     }
     else
@@ -287,6 +293,11 @@ void Foam::lineSolver::parts(double* x, Visit visit)
         {
             double* lines = x + line * nx;
             const label m = min(wide, ny * nz - line);
+            for (label j = 0; earlier && j < m; ++j)
+            {
+                earlier->correctRow(lines + j * nx, (line + j) % ny,
+                                    (line + j) / ny);
+            }
             for (label i = 0; i < nx; ++i)
             {
                 double* across = turned_.data() + i * wide;
@@ -308,23 +319,45 @@ void Foam::lineSolver::parts(double* x, Visit visit)
     }
 }
 
-bool Foam::lineSolver::begin(double* x, const double beta, const double lower,
-                             const double upper)
+void Foam::lineSolver::correctRow(double* row, const label j,
+                                  const label k) const
+{
+    const label nx = box_.size.x(), n = box_.size[dir_];
+    if (dir_ == 0)
+    {
+        correct(row, 1, 1, before_.data() + j + k * box_.size.y(),
+                after_.data() + j + k * box_.size.y());
+        return;
+    }
+    const label at = dir_ == 1 ? j : k, line = nx * (dir_ == 1 ? k : j);
+    if (at >= reach_ && at < n - reach_) return;
+    const double b = piece_->before[at], a = piece_->after[at];
+    const double* before = before_.data() + line;
+    const double* after = after_.data() + line;
+#pragma GCC ivdep
+    for (label i = 0; i < nx; ++i)
+    {
+        row[i] += b * before[i] + a * after[i];
+    }
+}
+
+void Foam::lineSolver::begin(double* x, const double beta, const double lower,
+                             const double upper, lineSolver* earlier)
 {
     if (beta != beta_) factorise(beta);
     if (toLines_)
     {
+        if (earlier) earlier->correct(x);
         toLines_->forward(x, whole_.data());
-        sweepAll(whole_.data(), lower, upper);
+        sweepAll(whole_.data(), lower, upper, nullptr);
         toLines_->backward(whole_.data(), x);
-        return false;
+        return;
     }
-    sweepAll(x, lower, upper);
-    return bool(exchange_);
+    sweepAll(x, lower, upper, earlier);
 }
 
 void Foam::lineSolver::sweepAll(double* x, const double lower,
-                                const double upper)
+                                const double upper, const lineSolver* earlier)
 {
     const double beta = beta_;
     const bool given = !periodic_ && !faces_;
@@ -336,7 +369,7 @@ void Foam::lineSolver::sweepAll(double* x, const double lower,
     if (!exchange_)
     {
         double ends[2 * 64], before[64], after[64];
-        parts(x,
+        parts(x, earlier,
               [&](double* y, const label m, const label stride, const label)
               {
                   sweep(y, m, stride, lo, up);
@@ -354,7 +387,7 @@ void Foam::lineSolver::sweepAll(double* x, const double lower,
     }
 
     const label nLines = before_.size();
-    parts(x,
+    parts(x, earlier,
           [&](double* y, const label m, const label stride, const label line)
           {
               sweep(y, m, stride, lo, up);
@@ -364,12 +397,16 @@ void Foam::lineSolver::sweepAll(double* x, const double lower,
     exchange_->startForward(sent_.data());
 }
 
-void Foam::lineSolver::finish(double* x)
+void Foam::lineSolver::receive()
 {
     const label nLines = before_.size();
     exchange_->finishForward(sent_.data(), received_.data());
     beyond(received_.data(), nLines, nLines, before_.data(), after_.data());
-    parts(x,
+}
+
+void Foam::lineSolver::correct(double* x)
+{
+    parts(x, nullptr,
           [&](double* y, const label m, const label stride, const label line) {
               correct(y, m, stride, before_.data() + line,
                       after_.data() + line);

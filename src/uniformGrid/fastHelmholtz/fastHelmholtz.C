@@ -228,7 +228,7 @@ void Foam::fastHelmholtz::eliminate(const label slowMode, const scalar sigma,
     {
         ends[OWN * m + i] = wall ? 0 : scale * x[i] + at * xm[i];
         ends[OWNDIAGONAL * m + i] =
-            wall ? GREAT * at : diag + af * eigen[i] - at * cm[i];
+            wall ? VGREAT : diag + af * eigen[i] - at * cm[i];
         ends[BETWEEN * m + i] = backwards_ ? at : at * em[i];
     }
 }
