@@ -14,18 +14,24 @@ namespace
 {
 using namespace Foam;
 
-//- What a piece says of its ends for each line, in rows of doubles (behind them follow
-//  the values of the constant mode, of all planes): right-hand side and
-//  diagonal of the equation of its last plane; what it adds to those of the plane before
-//  it; the coefficient between the two
+//- What a piece says of its ends for each line, in rows of doubles. With each right-hand
+//  side: that of the equation of its last plane, and what it adds to that of the plane
+//  before it
 enum
 {
     OWN,
-    OWNDIAGONAL,
     BEFORE,
+    NVALUES
+};
+
+//- Once for all right-hand sides: the diagonals in these equations, and the coefficient
+//  between the two planes
+enum
+{
+    OWNDIAGONAL,
     BEFOREDIAGONAL,
     BETWEEN,
-    NENDS
+    NCOEFFICIENTS
 };
 
 //- What it is told: the values of its last plane and of the plane before it
@@ -74,48 +80,45 @@ Foam::fastHelmholtz::fastHelmholtz(const uniformGrid& grid,
     backwards_ = !cyclic && mine_ > 0 && mine_ == nPieces - 1;
     follows_ = cyclic || (mine_ > 0 && !backwards_);
 
-    const label m = transform_.rowLength;
-    couple_.resize((3 * nPieces + 2) * m);
-    if (nPieces == 1)
+    connect(coefficients_, NCOEFFICIENTS, false);
+    connect(ends_, NVALUES, true);
+    connect(told_, NTOLD, true);
+    couple_.resize((3 * nPieces + 2) * transform_.rowLength);
+}
+
+void Foam::fastHelmholtz::connect(ofEnds& e, const label each,
+                                  const bool constants) const
+{
+    const label n = each * transform_.rowLength, nPieces = holders_.size(),
+                all = n * (nPieces == 1 ? 1 : transform_.nSlowModes);
+    e.here.resize(all + (constants ? transform_.nPlanes : 0));
+    if (nPieces == 1) return;
+
+    DynamicList<label> rank, place, source;
+    const auto travels = [&](const label to, const label p, const label s)
     {
-        ends_.resize(NENDS * m + transform_.nThird);
-        told_.resize(NTOLD * m + transform_.nThird);
-        return;
-    }
-    const auto exchange = [&](const label each, std::vector<double>& here,
-                              std::vector<double>& there)
-    {
-        const label n = each * m;
-        DynamicList<label> rank, place, source;
-        const auto travels = [&](const label to, const label p, const label s)
-        {
-            rank.append(to);
-            place.append(p);
-            source.append(s);
-        };
-        here.resize(n * transform_.nSlowModes + transform_.nPlanes);
-        for (label to = 0; to < ranks && mine_ >= 0; ++to)
-        {
-            const planeTransform::rows dealt(transform_.dealtTo(to));
-            for (label i = 0; i < n * dealt.n; ++i)
-            {
-                travels(to, n * dealt.n * mine_ + i, n * dealt.first + i);
-            }
-            for (label k = 0; k < transform_.nPlanes && holdsFirst(dealt); ++k)
-            {
-                travels(to, n * dealt.n * nPieces + transform_.firstPlane + k,
-                        n * transform_.nSlowModes + k);
-            }
-        }
-        const planeTransform::rows dealt(
-            transform_.dealtTo(Pstream::myProcNo()));
-        there.resize(n * dealt.n * nPieces +
-                     (holdsFirst(dealt) ? transform_.nThird : 0));
-        return std::unique_ptr<indexExchange>(
-            new indexExchange(rank, place, source));
+        rank.append(to);
+        place.append(p);
+        source.append(s);
     };
-    toDealt_ = exchange(NENDS, ends_, allEnds_);
-    fromDealt_ = exchange(NTOLD, told_, allTold_);
+    for (label to = 0; to < Pstream::nProcs() && mine_ >= 0; ++to)
+    {
+        const planeTransform::rows dealt(transform_.dealtTo(to));
+        for (label i = 0; i < n * dealt.n; ++i)
+        {
+            travels(to, n * dealt.n * mine_ + i, n * dealt.first + i);
+        }
+        if (!constants || !holdsFirst(dealt)) continue;
+        for (label k = 0; k < transform_.nPlanes; ++k)
+        {
+            travels(to, n * dealt.n * nPieces + transform_.firstPlane + k,
+                    all + k);
+        }
+    }
+    const planeTransform::rows dealt(transform_.dealtTo(Pstream::myProcNo()));
+    e.there.resize(n * dealt.n * nPieces +
+                   (constants && holdsFirst(dealt) ? transform_.nThird : 0));
+    e.exchange.reset(new indexExchange(rank, place, source));
 }
 
 bool Foam::fastHelmholtz::singular(const scalar sigma) const
@@ -126,7 +129,8 @@ bool Foam::fastHelmholtz::singular(const scalar sigma) const
 
 template<bool values>
 void Foam::fastHelmholtz::eliminate(const label slowMode, const scalar sigma,
-                                    const FixedList<scalar, 3>& a, double* ends)
+                                    const FixedList<scalar, 3>& a, double* ends,
+                                    double* coefficients)
 {
     const sideConditions& walls = sides_[transform_.third];
     const double at = a[transform_.third], af = a[transform_.fast];
@@ -163,8 +167,12 @@ void Foam::fastHelmholtz::eliminate(const label slowMode, const scalar sigma,
     double* c = work_.data() + m;
     double* e = c + (n + 1) * m;
     double* before = ends + BEFORE * m;
-    double* beforeDiagonal = ends + BEFOREDIAGONAL * m;
-    if (values && coupled_) std::fill_n(ends, NENDS * m, 0.0);
+    double* beforeDiagonal = coefficients + BEFOREDIAGONAL * m;
+    if (values && coupled_)
+    {
+        std::fill_n(ends, NVALUES * m, 0.0);
+        std::fill_n(coefficients, NCOEFFICIENTS * m, 0.0);
+    }
 
     // A step along the line changes c by the square of the factor by which it changes a
     // solution, of the slowest fast mode
@@ -227,9 +235,9 @@ void Foam::fastHelmholtz::eliminate(const label slowMode, const scalar sigma,
     for (label i = 0; i < m; ++i)
     {
         ends[OWN * m + i] = wall ? 0 : scale * x[i] + at * xm[i];
-        ends[OWNDIAGONAL * m + i] =
+        coefficients[OWNDIAGONAL * m + i] =
             wall ? VGREAT : diag + af * eigen[i] - at * cm[i];
-        ends[BETWEEN * m + i] = backwards_ ? at : at * em[i];
+        coefficients[BETWEEN * m + i] = backwards_ ? at : at * em[i];
     }
 }
 
@@ -271,46 +279,53 @@ void Foam::fastHelmholtz::substitute(const label slowMode, const double* told)
 // Elimination once more, of one unknown per piece; the last one of all is coupled to
 // the first where the direction is periodic
 void Foam::fastHelmholtz::couple(const double* ends, const label nextEnds,
-                                 double* told, const label nextTold)
+                                 const double* coefficients,
+                                 const label nextCoefficients, double* told,
+                                 const label nextTold)
 {
     const label P = holders_.size(), m = transform_.rowLength;
-    const auto end = [&](const label p, const label which)
+    const double* zeros = work_.data();
+    const double* ones = zeros + (transform_.nPlanes + 1) * m;
+    const auto value = [&](const label p, const label which)
     { return ends + (p % P) * nextEnds + which * m; };
+    const auto coefficient = [&](const label p, const label which)
+    { return coefficients + (p % P) * nextCoefficients + which * m; };
     double* c = couple_.data();
     double* e = c + P * m;
     double* y = e + P * m;
     double* lastValue = y + P * m;
     double* lastDiagonal = lastValue + m;
-    for (label p = P - 1, k = 0; k < P; p = k++)
+
+    // One piece is its own neighbour on both sides
+    const double twice = P == 1 ? 2 : 0;
+    for (label i = 0; i < m; ++i)
     {
-        const double* own = end(p, OWN);
-        const double* diagonal = end(p, OWNDIAGONAL);
-        const double* added = end(p + 1, BEFORE);
-        const double* addedDiagonal = end(p + 1, BEFOREDIAGONAL);
-        const double* between = end(p, BETWEEN);
-        const double* betweenNext = end(p + 1, BETWEEN);
-        if (p == P - 1)
-        {
-            const double once = P == 1 ? 2 : 0;
-            for (label i = 0; i < m; ++i)
-            {
-                lastValue[i] = own[i] + added[i];
-                lastDiagonal[i] =
-                    diagonal[i] - addedDiagonal[i] - once * between[i];
-            }
-            continue;
-        }
+        lastValue[i] = value(P - 1, OWN)[i] + value(0, BEFORE)[i];
+        lastDiagonal[i] = coefficient(P - 1, OWNDIAGONAL)[i] -
+                          coefficient(0, BEFOREDIAGONAL)[i] -
+                          twice * coefficient(0, BETWEEN)[i];
+    }
+    for (label p = 0; p < P - 1; ++p)
+    {
+        const double* own = value(p, OWN);
+        const double* added = value(p + 1, BEFORE);
+        const double* diagonal = coefficient(p, OWNDIAGONAL);
+        const double* addedDiagonal = coefficient(p + 1, BEFOREDIAGONAL);
+        const double* between = coefficient(p, BETWEEN);
+        const double* betweenNext = coefficient(p + 1, BETWEEN);
+        const double* cm = p ? c + (p - 1) * m : zeros;
+        const double* ym = p ? y + (p - 1) * m : zeros;
+        const double* em = p ? e + (p - 1) * m : ones;
+        const bool nextIsLast = p == P - 2;
         for (label i = 0; i < m; ++i)
         {
-            const double with = p ? between[i] : 0;
-            const double cm = p ? c[(p - 1) * m + i] : 0,
-                         ym = p ? y[(p - 1) * m + i] : 0;
-            const double toLast = (p ? with * e[(p - 1) * m + i] : between[i]) +
-                                  (p == P - 2 ? betweenNext[i] : 0);
-            const double r = 1 / (diagonal[i] - addedDiagonal[i] - with * cm);
-            c[p * m + i] = p == P - 2 ? 0 : betweenNext[i] * r;
+            const double toLast =
+                between[i] * em[i] + (nextIsLast ? betweenNext[i] : 0);
+            const double r =
+                1 / (diagonal[i] - addedDiagonal[i] - between[i] * cm[i]);
+            c[p * m + i] = nextIsLast ? 0 : betweenNext[i] * r;
             e[p * m + i] = toLast * r;
-            y[p * m + i] = (own[i] + added[i] + with * ym) * r;
+            y[p * m + i] = (own[i] + added[i] + between[i] * ym[i]) * r;
             lastValue[i] += toLast * y[p * m + i];
             lastDiagonal[i] -= toLast * e[p * m + i];
         }
@@ -372,57 +387,75 @@ void Foam::fastHelmholtz::solve(scalar* x, const scalar* b, const scalar sigma,
                 rows = mine_ >= 0 ? transform_.nSlowModes : 0;
 
     // Behind the ends of all lines here: of one at a time where one rank has them all
-    const label kept = toDealt_ ? rows * m : m;
+    const bool apart = bool(ends_.exchange);
+    const label kept = apart ? transform_.nSlowModes * m : m;
     for (label k = 0; k < transform_.nPlanes && constants; ++k)
     {
-        ends_[NENDS * kept + k] = *transform_.plane(k);
+        ends_.here[NVALUES * kept + k] = *transform_.plane(k);
     }
-    if (toDealt_)
+    if (apart)
     {
         for (label row = 0; row < rows; ++row)
         {
-            eliminate<true>(row, sigma, a, ends_.data() + NENDS * m * row);
+            eliminate<true>(
+                row, sigma, a, ends_.here.data() + NVALUES * m * row,
+                coefficients_.here.data() + NCOEFFICIENTS * m * row);
         }
-        toDealt_->forward(ends_.data(), allEnds_.data());
+        if (sigma != sigma_ || a != a_)
+        {
+            coefficients_.exchange->forward(coefficients_.here.data(),
+                                            coefficients_.there.data());
+            sigma_ = sigma;
+            a_ = a;
+        }
+        ends_.exchange->forward(ends_.here.data(), ends_.there.data());
 
         const planeTransform::rows dealt(
             transform_.dealtTo(Pstream::myProcNo()));
         const label each = m * dealt.n, all = each * holders_.size();
         for (label row = 0; row < dealt.n; ++row)
         {
-            couple(allEnds_.data() + NENDS * m * row, NENDS * each,
-                   allTold_.data() + NTOLD * m * row, NTOLD * each);
+            couple(ends_.there.data() + NVALUES * m * row, NVALUES * each,
+                   coefficients_.there.data() + NCOEFFICIENTS * m * row,
+                   NCOEFFICIENTS * each, told_.there.data() + NTOLD * m * row,
+                   NTOLD * each);
         }
         if (constants && holdsFirst(dealt))
         {
-            solveConstant(allEnds_.data() + NENDS * all,
-                          allTold_.data() + NTOLD * all, a[transform_.third]);
+            solveConstant(ends_.there.data() + NVALUES * all,
+                          told_.there.data() + NTOLD * all,
+                          a[transform_.third]);
         }
-        fromDealt_->backward(allTold_.data(), told_.data());
+        told_.exchange->backward(told_.there.data(), told_.here.data());
         for (label row = 0; row < rows; ++row)
         {
-            eliminate<false>(row, sigma, a, nullptr);
-            substitute(row, told_.data() + NTOLD * m * row);
+            eliminate<false>(row, sigma, a, nullptr, nullptr);
+            substitute(row, told_.here.data() + NTOLD * m * row);
         }
     }
     else
     {
         for (label row = 0; row < rows; ++row)
         {
-            eliminate<true>(row, sigma, a, ends_.data());
-            if (coupled_) couple(ends_.data(), 0, told_.data(), 0);
-            substitute(row, told_.data());
+            eliminate<true>(row, sigma, a, ends_.here.data(),
+                            coefficients_.here.data());
+            if (coupled_)
+            {
+                couple(ends_.here.data(), 0, coefficients_.here.data(), 0,
+                       told_.here.data(), 0);
+            }
+            substitute(row, told_.here.data());
         }
         if (constants)
         {
-            solveConstant(ends_.data() + NENDS * m, told_.data() + NTOLD * m,
-                          a[transform_.third]);
+            solveConstant(ends_.here.data() + NVALUES * m,
+                          told_.here.data() + NTOLD * m, a[transform_.third]);
         }
     }
     for (label k = 0; k < transform_.nPlanes && constants; ++k)
     {
         double* mode = transform_.plane(k);
-        mode[0] = told_[NTOLD * kept + k];
+        mode[0] = told_.here[NTOLD * kept + k];
         if (transform_.complexModes) mode[1] = 0;
     }
     transform_.backward(x);
