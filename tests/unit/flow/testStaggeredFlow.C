@@ -156,7 +156,7 @@ TEST(StaggeredFlow, layersOfTwoViscosities)
             const label steps = label(3 / min(ratio, scalar(1)) / dt) +
                                 label(-60 / std::log(rest)) +
                                 label(30 * number);
-            char what[100];
+            char what[128];
             std::snprintf(what, sizeof(what),
                           "layers 1 : %g, nu_max dt/h^2 %g, steady error",
                           ratio, number);
@@ -175,7 +175,7 @@ TEST(StaggeredFlow, dropOfOtherViscosity)
     for (const scalar ratio : {0.1, 10.0, 100.0})
     {
         const scalar largest = max(ratio, scalar(1));
-        char what[100];
+        char what[128];
         for (const scalar number : {1.0, 10.0})
         {
             const auto noiseAfter = [&](const label steps)
