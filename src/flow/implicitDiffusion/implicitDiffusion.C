@@ -26,16 +26,24 @@ Foam::implicitDiffusion::implicitDiffusion(const uniformGrid& grid,
 }
 
 // The directions of a component follow each other, while it is in the cache, up to one
-// whose lines wait for other ranks. Those come first: the next one makes their correction
+// whose lines wait for other ranks. Those come first, where the order is free: the next
+// direction makes their correction
 void Foam::implicitDiffusion::byLines(const FixedList<scalar*, 3>& x,
                                       const scalar b,
                                       const wallVelocities& change)
 {
-    FixedList<direction, 3> order, next({0, 0, 0});
+    // Factors with walls that change do not commute: what one adds only the later ones see
+    bool resting = true;
+    for (direction d = 0; d < 3; ++d)
+    {
+        resting = resting && change[d][0] == vector::zero &&
+                  change[d][1] == vector::zero;
+    }
+    FixedList<direction, 3> order({0, 1, 2}), next({0, 0, 0});
     label n = 0;
     for (const bool waits : {true, false})
     {
-        for (direction d = 0; d < 3; ++d)
+        for (direction d = 0; d < 3 && resting; ++d)
         {
             if (lines_[0][d]->waits() == waits) order[n++] = d;
         }

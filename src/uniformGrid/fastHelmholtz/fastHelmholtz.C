@@ -133,7 +133,7 @@ void Foam::fastHelmholtz::eliminate(const label slowMode, const scalar sigma,
                                     double* coefficients)
 {
     const sideConditions& walls = sides_[transform_.third];
-    const double at = a[transform_.third], af = a[transform_.fast];
+    const double at = alongThird(a), af = a[transform_.fast];
     const label n = transform_.nPlanes, m = transform_.rowLength,
                 interior = coupled_ ? n - 1 : n, stride = this->stride();
     const double* eigen = singular(sigma) && slowMode == 0
@@ -177,7 +177,8 @@ void Foam::fastHelmholtz::eliminate(const label slowMode, const scalar sigma,
     // A step along the line changes c by the square of the factor by which it changes a
     // solution, of the slowest fast mode
     const double least = *std::min_element(eigen, eigen + m);
-    const double decay = std::acosh((base + af * least) / (2 * at));
+    const double decay =
+        std::acosh(max(scalar(1), (base + af * least) / (2 * at)));
     settled_ = decay * n > 19 ? label(19 / decay) + 2 : n;
 
     double* row = firstOf(slowMode);
@@ -386,7 +387,8 @@ void Foam::fastHelmholtz::solve(scalar* x, const scalar* b, const scalar sigma,
     const label m = transform_.rowLength,
                 rows = mine_ >= 0 ? transform_.nSlowModes : 0;
 
-    // Behind the ends of all lines here: of one at a time where one rank has them all
+    // The constant modes stand behind the ends of lines: of all lines, or of the one slow
+    // mode at a time that is solved where one rank has all planes
     const bool apart = bool(ends_.exchange);
     const label kept = apart ? transform_.nSlowModes * m : m;
     for (label k = 0; k < transform_.nPlanes && constants; ++k)
@@ -423,8 +425,7 @@ void Foam::fastHelmholtz::solve(scalar* x, const scalar* b, const scalar sigma,
         if (constants && holdsFirst(dealt))
         {
             solveConstant(ends_.there.data() + NVALUES * all,
-                          told_.there.data() + NTOLD * all,
-                          a[transform_.third]);
+                          told_.there.data() + NTOLD * all, alongThird(a));
         }
         told_.exchange->backward(told_.there.data(), told_.here.data());
         for (label row = 0; row < rows; ++row)
@@ -446,10 +447,10 @@ void Foam::fastHelmholtz::solve(scalar* x, const scalar* b, const scalar sigma,
             }
             substitute(row, told_.here.data());
         }
-        if (constants)
+        if (constants && rows)
         {
             solveConstant(ends_.here.data() + NVALUES * m,
-                          told_.here.data() + NTOLD * m, a[transform_.third]);
+                          told_.here.data() + NTOLD * m, alongThird(a));
         }
     }
     for (label k = 0; k < transform_.nPlanes && constants; ++k)

@@ -183,12 +183,20 @@ void Foam::indexExchange::finish(const bool forward, const label n,
         }
     }
 
-    for (label i = firstRequest_; i < endRequest_; ++i)
+    // While another exchange is under way the list of requests stays
+    if (--underWay == 0)
     {
-        Pstream::waitRequest(i);
+        Pstream::waitRequests(before);
     }
-    // Numbers of requests stay while another exchange is under way
-    if (--underWay == 0) Pstream::waitRequests(before);
+    else
+    {
+        for (label i = firstRequest_; i < endRequest_; ++i)
+        {
+            while (!Pstream::finishedRequest(i))
+            {
+            }
+        }
+    }
     for (const route& r : routes_)
     {
         const scalar* buf = r.in.cdata();
