@@ -140,10 +140,11 @@ void Foam::staggeredFlow::updateVelocity()
                     d, at,
                     [&](const label q, const label step, const label n)
                     {
-#pragma GCC ivdep
-                        for (label i = q; i < q + n * step; i += step)
+                        for (label i = 0; i < n; ++i)
                         {
-                            u[i] = tangential * (2 * wall - u[i + inward]);
+                            u[q + i * step] =
+                                tangential *
+                                (2 * wall - u[q + i * step + inward]);
                         }
                     });
             };

@@ -63,10 +63,9 @@ void Foam::haloBlock::extend(scalar* f) const
             layerRows(d, at,
                       [&](const label q, const label step, const label n)
                       {
-#pragma GCC ivdep
-                          for (label i = 0; i < n * step; i += step)
+                          for (label i = 0; i < n; ++i)
                           {
-                              f[q + i] = f[q + i + inward];
+                              f[q + i * step] = f[q + i * step + inward];
                           }
                       });
         };
