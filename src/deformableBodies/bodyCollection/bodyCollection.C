@@ -166,23 +166,53 @@ Foam::scalar Foam::bodyCollection::maxDeltaT(string* reason) const
     return limit;
 }
 
+Foam::List<Foam::expectedErrors>
+Foam::bodyCollection::errors(const flowScales& flow) const
+{
+    List<expectedErrors> all(groups_.size());
+    forAll(groups_, g)
+    {
+        all[g] = groups_[g].errors(flow);
+        if (fromFaces_ && groups_[g].twoWay())
+        {
+            all[g].parts.push_back(
+                {"flow", 0.01, "pimple in place of staggered", nullptr});
+        }
+    }
+    return all;
+}
+
+Foam::scalar Foam::bodyCollection::wantedDeltaT() const
+{
+    if (empty() || accuracy_.wanted <= 0 || !adjusted() || !solverBalances_)
+    {
+        return GREAT;
+    }
+    if (wantedDeltaT_ < 0)
+    {
+        wantedDeltaT_ = GREAT;
+        string from;
+        for (expectedErrors& e : errors(scalesAtStart(mesh_, from)))
+        {
+            wantedDeltaT_ = min(wantedDeltaT_, stepFor(e, accuracy_.wanted));
+        }
+    }
+    return wantedDeltaT_;
+}
+
 void Foam::bodyCollection::describe() const
 {
     effects_.printEffects();
     if (empty()) return;
-    const flowScales flow(printSceneNumbers(mesh_, rho_, nu_, groups_));
-    List<expectedErrors> errors(groups_.size());
+    List<expectedErrors> errors(
+        this->errors(printSceneNumbers(mesh_, rho_, nu_, groups_)));
     bool fresh = false;
     forAll(groups_, g)
     {
-        errors[g] = groups_[g].errors(flow);
-        if (fromFaces_ && groups_[g].twoWay())
-        {
-            errors[g].parts.push_back(
-                {"flow", 0.01, "pimple in place of staggered", nullptr});
-        }
+        if (wantedDeltaT() < GREAT) stepFor(errors[g], accuracy_.wanted);
         fresh = fresh || groups_[g].startsAfresh();
     }
+
     // What a run was begun with is not refused in the middle
     reduce(fresh, orOp<bool>());
     judgeErrors(errors, fresh ? accuracy_.wanted : 0,

@@ -103,6 +103,11 @@ bool Foam::bodyCollection::writeData(Ostream& os) const
     }
     text << " );\n";
     given(given_.last());
+    if (wantedDeltaT_ >= 0)
+    {
+        text << "    accuracy " << accuracy_.wanted << ";\n    deltaT "
+             << wantedDeltaT_ << ";\n";
+    }
     text << "}\n" << stateEntries[0] << "\n{\n";
     label g = 0;
     for (const bodyGroup& group : groups_)
@@ -363,8 +368,12 @@ void Foam::bodyCollection::readState(const IOdictionary& dict)
         { return !saved.isDict(name) && !stateEntries.found(name); };
         const wordList removed(
             dict.getOrDefault<wordList>("removed", wordList()));
-        removed_ = saved.subOrEmptyDict(stateEntries[2])
-                       .getOrDefault<wordList>("removed", wordList());
+        const dictionary before(saved.subOrEmptyDict(stateEntries[2]));
+        removed_ = before.getOrDefault<wordList>("removed", wordList());
+        if (before.getOrDefault<scalar>("accuracy", 0) == accuracy_.wanted)
+        {
+            wantedDeltaT_ = before.getOrDefault<scalar>("deltaT", -1);
+        }
         for (const word& name : removed)
         {
             if (removed_.found(name)) continue;

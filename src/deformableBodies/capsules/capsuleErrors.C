@@ -104,6 +104,8 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
     const bool stiffArea =
         stabilised_ && law.areaModulus() > 4 * law.shearModulus();
     const bool known = rate > 0 && dt > 0 && dt < GREAT && !stiffArea;
+    const auto largest = [rate](const scalar error)
+    { return std::sqrt(error / ofStep(1)) / rate; };
     e.parts.push_back(
         {"step", known ? ofStep(rate * dt) : -1,
          stiffArea
@@ -111,11 +113,9 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
          : known ? "deltaT times the rate of the flow is " + number(rate * dt)
          : rate > 0 ? string("deltaT is adjusted")
                     : string("the flow has no rate at the start"),
-         [rate](const scalar left)
-         {
-             return "deltaT of " + atMost(std::sqrt(left / ofStep(1)) / rate) +
-                    " s and smaller";
-         }});
+         nullptr,
+         rate > 0 && !stiffArea ? std::function<scalar(scalar)>(largest)
+                                : nullptr});
     return e;
 }
 

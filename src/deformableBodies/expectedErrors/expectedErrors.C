@@ -59,22 +59,43 @@ Foam::expectedError Foam::ofForcing(const scalar nu, const scalar deltaT,
 {
     const bool fixed = deltaT > 0 && deltaT < GREAT;
     const scalar number = fixed ? nu * deltaT / sqr(h) : GREAT;
+    const auto largest = [=](const scalar error)
+    { return min(scalar(10), error / 8e-4) * sqr(h) / nu; };
     if (number > 10)
     {
         return {"step", -1,
                 fixed ? "nu deltaT/h^2 = " + Foam::name(number) +
                             ", measured up to 10"
                       : string("deltaT is adjusted"),
-                nullptr};
+                nullptr, largest};
     }
     return {"step", 8e-4 * number,
             "once steady; a force lags by " +
                 Foam::name(deltaT * max(scalar(1), 15 * number)) + " s",
-            [=](const scalar left)
-            {
-                return "deltaT of " + atMost(deltaT * left / (8e-4 * number)) +
-                       " s and smaller";
-            }};
+            nullptr, largest};
+}
+
+Foam::scalar Foam::stepFor(expectedErrors& group, const scalar wanted)
+{
+    expectedError* step = nullptr;
+    scalar left = wanted;
+    for (expectedError& part : group.parts)
+    {
+        if (part.deltaT)
+            step = &part;
+        else if (part.error < 0)
+            return GREAT;
+        else
+            left -= part.error;
+    }
+    if (!step || left <= 0 || (step->error >= 0 && step->error <= left))
+    {
+        return GREAT;
+    }
+    const scalar deltaT = step->deltaT(left);
+    step->error = left;
+    step->by = "deltaT adjusted, at most " + Foam::name(deltaT) + " s";
+    return deltaT;
 }
 
 void Foam::judgeErrors(const List<expectedErrors>& errors, const scalar wanted,
@@ -101,17 +122,22 @@ void Foam::judgeErrors(const List<expectedErrors>& errors, const scalar wanted,
         Info << name.str().c_str() << group.of.c_str() << ": "
              << (known ? "within " + percent(sum) : string("not known")).c_str()
              << (list.empty() ? "" : ": ") << list.c_str() << nl;
-        if (wanted <= 0 || (known && sum <= wanted)) continue;
+        if (wanted <= 0 || (known && sum <= wanted * (1 + 1e-9))) continue;
 
         // What can be changed, one at a time
         string remedies;
         scalar least = 0;
         for (const expectedError& part : group.parts)
         {
-            if (!part.remedy) least += part.error;
+            if (!part.remedy && !part.deltaT) least += part.error;
             const scalar rest = wanted - (sum - part.error);
-            const string remedy(part.remedy && rest > 0 ? part.remedy(rest)
-                                                        : string());
+            if (rest <= 0) continue;
+            string remedy(part.remedy ? part.remedy(rest) : string());
+            if (part.deltaT)
+            {
+                remedy =
+                    "deltaT of " + atMost(part.deltaT(rest)) + " s and smaller";
+            }
             if (!remedy.empty()) remedies += ", or " + remedy;
         }
         if (known)
