@@ -188,13 +188,21 @@ Foam::scalar Foam::bodyCollection::wantedDeltaT() const
     {
         return GREAT;
     }
-    if (wantedDeltaT_ < 0)
+    if (!wantedIsKnown_)
     {
-        wantedDeltaT_ = GREAT;
+        wantedIsKnown_ = true;
+        const bool before = wantedDeltaT_ < GREAT;
         string from;
-        for (expectedErrors& e : errors(scalesAtStart(mesh_, from)))
+        List<expectedErrors> all(errors(scalesAtStart(mesh_, from)));
+        forAll(groups_, g)
         {
-            wantedDeltaT_ = min(wantedDeltaT_, stepFor(e, accuracy_.wanted));
+            if (before &&
+                !returnReduce(groups_[g].startsAfresh(), orOp<bool>()))
+            {
+                continue;
+            }
+            wantedDeltaT_ =
+                min(wantedDeltaT_, stepFor(all[g], accuracy_.wanted));
         }
     }
     return wantedDeltaT_;

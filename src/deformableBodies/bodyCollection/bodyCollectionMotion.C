@@ -19,7 +19,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
 {
     const Time& time = mesh_.time();
     if (lastMoved_ == time.timeIndex()) return;
-    fromFaces_ = true;
+    takeFlowFromFaces();
 
     staggeredField force(grid_.box());
     if (!empty() && !alone_ && !solverBalances_)

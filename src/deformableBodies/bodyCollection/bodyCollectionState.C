@@ -103,7 +103,7 @@ bool Foam::bodyCollection::writeData(Ostream& os) const
     }
     text << " );\n";
     given(given_.last());
-    if (wantedDeltaT_ >= 0)
+    if (accuracy_.wanted > 0 && wantedDeltaT_ < GREAT)
     {
         text << "    accuracy " << accuracy_.wanted << ";\n    deltaT "
              << wantedDeltaT_ << ";\n";
@@ -372,7 +372,7 @@ void Foam::bodyCollection::readState(const IOdictionary& dict)
         removed_ = before.getOrDefault<wordList>("removed", wordList());
         if (before.getOrDefault<scalar>("accuracy", 0) == accuracy_.wanted)
         {
-            wantedDeltaT_ = before.getOrDefault<scalar>("deltaT", -1);
+            wantedDeltaT_ = before.getOrDefault<scalar>("deltaT", GREAT);
         }
         for (const word& name : removed)
         {

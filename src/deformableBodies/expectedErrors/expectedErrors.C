@@ -88,13 +88,13 @@ Foam::scalar Foam::stepFor(expectedErrors& group, const scalar wanted)
         else
             left -= part.error;
     }
-    if (!step || left <= 0 || (step->error >= 0 && step->error <= left))
-    {
-        return GREAT;
-    }
+    if (!step || left <= 0) return GREAT;
     const scalar deltaT = step->deltaT(left);
-    step->error = left;
-    step->by = "deltaT adjusted, at most " + Foam::name(deltaT) + " s";
+    if (step->error < 0 || step->error > left)
+    {
+        step->error = left;
+        step->by = "deltaT adjusted, at most " + Foam::name(deltaT) + " s";
+    }
     return deltaT;
 }
 
@@ -122,15 +122,17 @@ void Foam::judgeErrors(const List<expectedErrors>& errors, const scalar wanted,
         Info << name.str().c_str() << group.of.c_str() << ": "
              << (known ? "within " + percent(sum) : string("not known")).c_str()
              << (list.empty() ? "" : ": ") << list.c_str() << nl;
-        if (wanted <= 0 || (known && sum <= wanted * (1 + 1e-9))) continue;
+        const bool within = sum <= wanted * (1 + 1e-9);
+        if (wanted <= 0 || (known && within)) continue;
 
         // What can be changed, one at a time
         string remedies;
         scalar least = 0;
         for (const expectedError& part : group.parts)
         {
-            if (!part.remedy && !part.deltaT) least += part.error;
-            const scalar rest = wanted - (sum - part.error);
+            if (!part.remedy && !part.deltaT)
+                least += max(part.error, scalar(0));
+            const scalar rest = wanted - (sum - max(part.error, scalar(0)));
             if (rest <= 0) continue;
             string remedy(part.remedy ? part.remedy(rest) : string());
             if (part.deltaT)
@@ -140,7 +142,7 @@ void Foam::judgeErrors(const List<expectedErrors>& errors, const scalar wanted,
             }
             if (!remedy.empty()) remedies += ", or " + remedy;
         }
-        if (known)
+        if (!within)
         {
             if (least >= wanted)
                 remedies = "; nothing brings it below " + percent(least);
