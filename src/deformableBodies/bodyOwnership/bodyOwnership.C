@@ -60,7 +60,7 @@ void Foam::bodyOwnership::migrate(PtrList<bodyGroup>& groups)
     {
         out[r] = scalarField(leaving[r]);
     }
-    neighbours_.exchange(out, in, false);
+    neighbours_.exchange(out, in);
     for (const scalarField& from : in)
     {
         for (label at = 0; at < from.size();)

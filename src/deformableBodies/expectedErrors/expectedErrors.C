@@ -57,22 +57,26 @@ Foam::string Foam::atMost(const scalar x)
 Foam::expectedError Foam::ofForcing(const scalar nu, const scalar deltaT,
                                     const scalar h)
 {
-    const bool fixed = deltaT > 0 && deltaT < GREAT;
-    const scalar number = fixed ? nu * deltaT / sqr(h) : GREAT;
+    const auto number = [=](const scalar step) { return nu * step / sqr(h); };
     const auto largest = [=](const scalar error)
-    { return min(scalar(10), error / 8e-4) * sqr(h) / nu; };
-    if (number > 10)
+    { return min(scalar(10), error / 8e-4) / number(1); };
+    const auto lag = [=](const scalar step)
     {
-        return {"step", -1,
-                fixed ? "nu deltaT/h^2 = " + Foam::name(number) +
-                            ", measured up to 10"
-                      : string("deltaT is adjusted"),
-                nullptr, largest};
-    }
-    return {"step", 8e-4 * number,
-            "once steady; a force lags by " +
-                Foam::name(deltaT * max(scalar(1), 15 * number)) + " s",
-            nullptr, largest};
+        return "once steady; a force lags by " +
+               Foam::name(step * max(scalar(1), 15 * number(step))) + " s";
+    };
+    const bool fixed = deltaT > 0 && deltaT < GREAT;
+    if (fixed && number(deltaT) <= 10)
+        return {"step", 8e-4 * number(deltaT), lag(deltaT), nullptr, largest,
+                lag};
+    return {"step",
+            -1,
+            fixed ? "nu deltaT/h^2 = " + Foam::name(number(deltaT)) +
+                        ", measured up to 10"
+                  : string("deltaT is adjusted"),
+            nullptr,
+            largest,
+            lag};
 }
 
 Foam::scalar Foam::stepFor(expectedErrors& group, const scalar wanted)
@@ -93,7 +97,8 @@ Foam::scalar Foam::stepFor(expectedErrors& group, const scalar wanted)
     if (step->error < 0 || step->error > left)
     {
         step->error = left;
-        step->by = "deltaT adjusted, at most " + Foam::name(deltaT) + " s";
+        step->by = "deltaT adjusted, at most " + Foam::name(deltaT) + " s" +
+                   (step->ofDeltaT ? "; " + step->ofDeltaT(deltaT) : string());
     }
     return deltaT;
 }

@@ -56,6 +56,33 @@ struct Foam::markerSet::weightBatch
             markers.kernel_.weights(all, position[i], lowest[i], w);
         }
     }
+
+    //- The four points moved to where they lie in the block, as they stand in memory;
+    //  those that do not lie there lose their weights
+    void clip(const markerSet& markers, const label size)
+    {
+        for (int i = 0; i < 6; ++i)
+        {
+            const direction d = i % 3;
+            const label first = markers.grid_.box().lo[d],
+                        last = first + markers.grid_.box().size[d] -
+                               markers.rowSize(d);
+            for (label k = 0; k < size; ++k)
+            {
+                const label at = label(lowest[i][k]),
+                            to = max(first, min(at, last));
+                if (to == at) continue;
+                const scalar w[4] = {weight[0][i][k], weight[1][i][k],
+                                     weight[2][i][k], weight[3][i][k]};
+                for (label j = 0; j < 4; ++j)
+                {
+                    const label from = j + to - at;
+                    weight[j][i][k] = from >= 0 && from < 4 ? w[from] : 0;
+                }
+                lowest[i][k] = to;
+            }
+        }
+    }
 };
 
 //- A marker that is cut: four points within the block and their weights in each of the
@@ -128,18 +155,35 @@ void Foam::markerSet::sort()
     const label n = X().size(), perLayer = box.size.y() / rows + 1,
                 nBuckets = perLayer * box.size.z();
 
-    // All points of a marker lie in the block, as they stand in memory, if the marker
-    // lies between these, in cells of the box. The faces of walls have their velocity
-    // from a boundary condition; rows along x are of four points
-    scalar from[3], to[3];
+    // Within these, in cells of the box, all points of a marker lie in the block, as
+    // they stand in memory; within those it reaches no wall, which would change its
+    // weights. The faces of walls have their velocity from a boundary condition
+    scalar from[3], to[3], wallFree[2][3];
+    bool wide = true; // enough for the points of a row
     for (direction d = 0; d < 3; ++d)
     {
-        const label lo = box.lo[d];
-        const label face = lo == 0 && !grid_.periodic(d) ? 1 : lo;
-        const label last = lo + box.size[d] - (d == 0 ? 4 : kernel_.nPoints());
-        from[d] = kernel_.reach() + max(face - scalar(1), lo - 0.5);
+        const label lo = box.lo[d], last = lo + box.size[d] - rowSize(d);
+        const auto after = [&](const label lowest, const label first)
+        { return kernel_.reach() + max(lowest - scalar(1), first - 0.5); };
+        const bool periodic = grid_.periodic(d);
+        from[d] = after(lo == 0 && !periodic ? 1 : lo, lo);
         to[d] = kernel_.reach() + last - 1e-9; // whatever the rounding
+        wallFree[0][d] = periodic ? -GREAT : after(1, 0);
+        wallFree[1][d] = periodic ? GREAT
+                                  : kernel_.reach() + grid_.n()[d] -
+                                        kernel_.nPoints() - 1e-9;
+        wide = wide && box.size[d] >= rowSize(d);
     }
+    const auto isWithin =
+        [](const vector& x, const scalar* lo, const scalar* hi)
+    {
+        bool within = true;
+        for (direction d = 0; d < 3; ++d)
+        {
+            within = within && x[d] >= lo[d] && x[d] < hi[d];
+        }
+        return within;
+    };
 
     // In cells of the box
     const vector perH(cmptDivide(vector::one, grid_.h()));
@@ -156,32 +200,73 @@ void Foam::markerSet::sort()
         }
         return x;
     };
-    labelList start(nBuckets + 2, Zero), in(n);
+
+    // visit(place) of each periodic image of a place that reaches the block
+    const auto eachImage = [&](const vector& x, auto visit)
+    {
+        scalar at[3][3];
+        int count[3] = {0, 0, 0};
+        for (direction d = 0; d < 3; ++d)
+        {
+            const int images = grid_.periodic(d) ? 1 : 0;
+            for (int image = -images; image <= images; ++image)
+            {
+                const scalar there = x[d] + image * scalar(grid_.n()[d]);
+                if (there > box.lo[d] - kernel_.reach() &&
+                    there < box.lo[d] + box.size[d] + kernel_.reach())
+                {
+                    at[d][count[d]++] = there;
+                }
+            }
+        }
+        for (int i = 0; i < count[0]; ++i)
+            for (int j = 0; j < count[1]; ++j)
+                for (int k = 0; k < count[2]; ++k)
+                    visit(vector(at[0][i], at[1][j], at[2][k]));
+    };
+
+    const label clipped = nBuckets, cut = nBuckets + 1;
+    labelList start(nBuckets + 3, Zero), in(n);
     for (label k = 0; k < n; ++k)
     {
         const vector x(placeOf(k));
-        bool whole = true;
-        for (direction d = 0; d < 3; ++d)
+        if (isWithin(x, from, to))
         {
-            whole = whole && x[d] >= from[d] && x[d] < to[d];
+            in[k] = label(x.y() - box.lo.y()) / rows +
+                    perLayer * label(x.z() - box.lo.z());
+            ++start[in[k] + 1];
         }
-        in[k] = whole ? (label(x.y()) - box.lo.y()) / rows +
-                            perLayer * (label(x.z()) - box.lo.z())
-                      : nBuckets;
-        ++start[in[k] + 1];
+        else if (wide && isWithin(x, wallFree[0], wallFree[1]))
+        {
+            in[k] = clipped;
+            eachImage(x, [&](const vector&) { ++start[clipped + 1]; });
+        }
+        else
+        {
+            in[k] = cut;
+            ++start[cut + 1];
+        }
     }
     for (label b = 1; b < start.size(); ++b)
     {
         start[b] += start[b - 1];
     }
-    nWhole_ = start[nBuckets];
-    sorted_.resize(n);
-    at_.resize(n);
+    nWhole_ = start[clipped];
+    nClipped_ = start[cut] - nWhole_;
+    sorted_.resize(start.last());
+    at_.resize(start.last());
     for (label k = 0; k < n; ++k)
     {
-        const label to = start[in[k]]++;
-        sorted_[to] = k;
-        at_[to] = placeOf(k);
+        const auto put = [&](const vector& x)
+        {
+            const label to = start[in[k]]++;
+            sorted_[to] = k;
+            at_[to] = x;
+        };
+        if (in[k] == clipped)
+            eachImage(placeOf(k), put);
+        else
+            put(placeOf(k));
     }
 }
 
@@ -198,7 +283,8 @@ void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
     for (label b = begin; b < end; b += most)
     {
         const label size = min(most, end - b);
-        const weightBatch w(*this, b, size);
+        weightBatch w(*this, b, size);
+        if (begin >= nWhole_) w.clip(*this, size);
         for (const Places& v : fields)
         {
             for (direction d = 0; d < 3; ++d)
@@ -251,7 +337,7 @@ void Foam::markerSet::eachCut(const List<Places>& fields, Visit visit) const
 {
     if (fields.empty()) return;
     const label all = label(sorted_.size());
-    for (label b = nWhole_; b < all; b += weightBatch::n)
+    for (label b = nWhole_ + nClipped_; b < all; b += weightBatch::n)
     {
         const label size = min(weightBatch::n, all - b);
         const weightBatch w(*this, b, size);
@@ -397,7 +483,9 @@ void Foam::markerSet::sweepAll(const UList<vector>& F,
 {
     const auto layerOf = [&](const label k) { return label(at_[k].z()); };
     label scattered = 0, gathered = 0;
+    const label end = nWhole_ + nClipped_;
     scatterCut<n>(F, f);
+    scatterWhole<n>(F, f, nWhole_, end);
     if (u.empty())
     {
         scatterWhole<n>(F, f, 0, nWhole_);
@@ -415,6 +503,7 @@ void Foam::markerSet::sweepAll(const UList<vector>& F,
         gatherWhole<n>(u, first, gathered, U);
     }
     gatherWhole<n>(u, gathered, nWhole_, U);
+    gatherWhole<n>(u, nWhole_, end, U);
     gatherCut<n>(u, U);
 }
 

@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "pointCopies.H"
+#include <type_traits>
 
 namespace
 {
@@ -9,6 +10,16 @@ using namespace Foam;
 const scalar* numbers(const UList<vector>& v)
 {
     return reinterpret_cast<const scalar*>(v.cdata());
+}
+
+//- act(n), where the compiler knows that vectors have three numbers
+template<class Act>
+void ofNumbers(const label n, Act act)
+{
+    if (n == 3)
+        act(std::integral_constant<label, 3>());
+    else
+        act(n);
 }
 } // namespace
 
@@ -21,36 +32,32 @@ void Foam::pointCopies::place(const UList<vector>& X, const label margin)
         return;
     }
 
-    neighbours_.cover(X, margin);
+    const List<labelVector> cells(neighbours_.cover(X, margin));
     const blockNeighbours::table& reached = neighbours_.near(margin);
     const label nRanks = neighbours_.ranks().size();
     List<DynamicList<label>> to(nRanks);
-    forAll(X, k)
+    to[neighbours_.me()].reserve(X.size());
+    forAll(cells, k)
     {
-        neighbours_.each(reached, X[k],
+        neighbours_.each(reached, cells[k],
                          [&](const label i) { to[i].append(k); });
     }
+    labelList sizes(nRanks);
     to_.setSize(nRanks);
     forAll(to, i)
     {
         to_[i].transfer(to[i]);
+        sizes[i] = to_[i].size();
     }
-
-    List<scalarField> out(pack(numbers(X), 3)), in;
-    neighbours_.exchange(out, in, false);
-    in[neighbours_.me()].transfer(out[neighbours_.me()]);
+    sizes = neighbours_.sizes(sizes);
     first_.setSize(nRanks + 1);
     first_[0] = 0;
-    forAll(in, i)
+    forAll(sizes, i)
     {
-        first_[i + 1] = first_[i] + in[i].size() / 3;
+        first_[i + 1] = first_[i] + sizes[i];
     }
     X_.setSize(first_.last());
-    scalar* const x = reinterpret_cast<scalar*>(X_.data());
-    forAll(in, i)
-    {
-        std::copy(in[i].begin(), in[i].end(), x + 3 * first_[i]);
-    }
+    handOut(numbers(X), 3, reinterpret_cast<scalar*>(X_.data()));
 }
 
 bool Foam::pointCopies::holds(const label k) const
@@ -58,20 +65,37 @@ bool Foam::pointCopies::holds(const label k) const
     return !Pstream::parRun() || neighbours_.holder(X_[k]) == neighbours_.me();
 }
 
-Foam::List<Foam::scalarField> Foam::pointCopies::pack(const scalar* own,
-                                                      const label n) const
+Foam::blockNeighbours::values Foam::pointCopies::parts(scalar* here,
+                                                       const label n) const
 {
-    List<scalarField> out(to_.size());
+    blockNeighbours::values all;
     forAll(to_, i)
     {
-        out[i].setSize(n * to_[i].size());
-        scalar* at = out[i].data();
-        for (const label k : to_[i])
-        {
-            at = std::copy_n(own + n * k, n, at);
-        }
+        all.emplace_back(here + n * first_[i], n * (first_[i + 1] - first_[i]));
     }
-    return out;
+    return all;
+}
+
+void Foam::pointCopies::handOut(const scalar* own, const label n,
+                                scalar* here) const
+{
+    blockNeighbours::values in(parts(here, n)), out;
+    List<scalarField> sent(to_.size());
+    forAll(to_, i)
+    {
+        const bool mine = i == neighbours_.me();
+        if (!mine) sent[i].setSize(n * to_[i].size());
+        out.push_back(mine ? in[i] : sent[i]);
+        scalar* at = out[i].data();
+        ofNumbers(n,
+                  [&](const auto n)
+                  {
+                      for (const label k : to_[i])
+                          for (label c = 0; c < n; ++c)
+                              *at++ = own[n * k + c];
+                  });
+    }
+    neighbours_.exchange(out, in);
 }
 
 Foam::scalarField Foam::pointCopies::handOut(const scalar* own,
@@ -81,19 +105,8 @@ Foam::scalarField Foam::pointCopies::handOut(const scalar* own,
     {
         return scalarField(UList<scalar>(const_cast<scalar*>(own), n * nOwn_));
     }
-    List<scalarField> out(pack(own, n)), in(to_.size());
-    forAll(in, i)
-    {
-        in[i].setSize(n * (first_[i + 1] - first_[i]));
-    }
-    neighbours_.exchange(out, in, true);
-    in[neighbours_.me()].transfer(out[neighbours_.me()]);
-
     scalarField here(n * first_.last());
-    forAll(in, i)
-    {
-        std::copy(in[i].begin(), in[i].end(), here.begin() + n * first_[i]);
-    }
+    handOut(own, n, here.data());
     return here;
 }
 
@@ -108,24 +121,26 @@ void Foam::pointCopies::addUp(const scalarField& here, const label n,
         }
         return;
     }
-    List<scalarField> out(to_.size()), in(to_.size());
+    const blockNeighbours::values out(
+        parts(const_cast<scalar*>(here.cdata()), n));
+    blockNeighbours::values in;
+    List<scalarField> received(to_.size());
     forAll(to_, i)
     {
-        in[i].setSize(n * to_[i].size());
-        out[i] = SubField<scalar>(here, n * (first_[i + 1] - first_[i]),
-                                  n * first_[i]);
+        const bool mine = i == neighbours_.me();
+        if (!mine) received[i].setSize(n * to_[i].size());
+        in.push_back(mine ? out[i] : received[i]);
     }
-    neighbours_.exchange(out, in, true);
-    in[neighbours_.me()].transfer(out[neighbours_.me()]);
+    neighbours_.exchange(out, in);
     forAll(to_, i)
     {
         const scalar* part = in[i].cdata();
-        for (const label k : to_[i])
-        {
-            for (label c = 0; c < n; ++c)
-            {
-                own[n * k + c] += *part++;
-            }
-        }
+        ofNumbers(n,
+                  [&](const auto n)
+                  {
+                      for (const label k : to_[i])
+                          for (label c = 0; c < n; ++c)
+                              own[n * k + c] += *part++;
+                  });
     }
 }

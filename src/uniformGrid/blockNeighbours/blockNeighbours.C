@@ -72,19 +72,23 @@ void Foam::blockNeighbours::widen(const label reach)
     }
 }
 
-void Foam::blockNeighbours::cover(const UList<vector>& X, const label margin)
+Foam::List<Foam::labelVector>
+Foam::blockNeighbours::cover(const UList<vector>& X, const label margin)
 {
-    if (!Pstream::parRun()) return;
+    List<labelVector> cells(X.size());
     label away = 0;
-    for (const vector& x : X)
+    forAll(X, k)
     {
+        const labelVector cell(grid_.cellAt(X[k]));
         for (direction d = 0; d < 3; ++d)
         {
-            away = max(away, away_[d][grid_.cellAt(x[d], d)]);
+            away = max(away, away_[d][cell[d]]);
         }
+        cells[k] = cell;
     }
     reduce(away, maxOp<label>());
     if (away + margin > reach_) widen(max(away + margin, label(1.25 * reach_)));
+    return cells;
 }
 
 const Foam::blockNeighbours::table&
@@ -117,8 +121,7 @@ Foam::blockNeighbours::near(const label margin) const
 
 Foam::label Foam::blockNeighbours::holderOfAll(const vector& x) const
 {
-    const labelVector cell(grid_.cellAt(x.x(), 0), grid_.cellAt(x.y(), 1),
-                           grid_.cellAt(x.z(), 2));
+    const labelVector cell(grid_.cellAt(x));
     forAll(boxes_, proci)
     {
         if (boxes_[proci].contains(cell)) return proci;
@@ -126,58 +129,64 @@ Foam::label Foam::blockNeighbours::holderOfAll(const vector& x) const
     return 0;
 }
 
-void Foam::blockNeighbours::exchange(const List<scalarField>& out,
-                                     List<scalarField>& in,
-                                     const bool sized) const
+Foam::labelList Foam::blockNeighbours::sizes(const labelList& out) const
 {
-    // One message to and from each neighbour: n(i) scalars or numbers at to(i)
-    // and from(i); none where there are none
-    const auto pass = [&](auto outSize, auto outData, auto inSize, auto inData)
+    scalarField outSizes(out.size()), inSizes(out.size(), Zero);
+    values give, take;
+    forAll(out, i)
     {
-        const label pending = Pstream::nRequests();
-        forAll(ranks_, i)
-        {
-            if (i != me_ && inSize(i))
-            {
-                UIPstream::read(Pstream::commsTypes::nonBlocking, ranks_[i],
-                                inData(i), inSize(i));
-            }
-        }
-        forAll(ranks_, i)
-        {
-            if (i != me_ && outSize(i))
-            {
-                UOPstream::write(Pstream::commsTypes::nonBlocking, ranks_[i],
-                                 outData(i), outSize(i));
-                indexExchange::count(outSize(i));
-            }
-        }
-        Pstream::waitRequests(pending);
-    };
-
-    in.setSize(ranks_.size());
-    if (!sized)
-    {
-        labelList outSizes(ranks_.size()), inSizes(ranks_.size(), Zero);
-        forAll(out, i)
-        {
-            outSizes[i] = out[i].size();
-        }
-        const auto one = [](label) { return std::streamsize(sizeof(label)); };
-        pass(
-            one,
-            [&](label i)
-            { return reinterpret_cast<const char*>(&outSizes[i]); },
-            one, [&](label i) { return reinterpret_cast<char*>(&inSizes[i]); });
-        forAll(in, i)
-        {
-            in[i].setSize(inSizes[i]);
-        }
+        outSizes[i] = out[i];
+        give.emplace_back(&outSizes[i], 1);
+        take.emplace_back(&inSizes[i], 1);
     }
-    pass([&](label i)
-         { return std::streamsize(out[i].size() * sizeof(scalar)); },
-         [&](label i) { return reinterpret_cast<const char*>(out[i].cdata()); },
-         [&](label i)
-         { return std::streamsize(in[i].size() * sizeof(scalar)); },
-         [&](label i) { return reinterpret_cast<char*>(in[i].data()); });
+    exchange(give, take);
+    labelList in(out);
+    forAll(in, i)
+    {
+        if (i != me_) in[i] = label(inSizes[i]);
+    }
+    return in;
+}
+
+// No message where there are no values
+void Foam::blockNeighbours::exchange(const values& out, values& in) const
+{
+    const auto bytes = [](const UList<scalar>& v)
+    { return std::streamsize(v.size() * sizeof(scalar)); };
+    const label pending = Pstream::nRequests();
+    forAll(ranks_, i)
+    {
+        if (i == me_ || in[i].empty()) continue;
+        UIPstream::read(Pstream::commsTypes::nonBlocking, ranks_[i],
+                        reinterpret_cast<char*>(in[i].data()), bytes(in[i]));
+    }
+    forAll(ranks_, i)
+    {
+        if (i == me_ || out[i].empty()) continue;
+        UOPstream::write(Pstream::commsTypes::nonBlocking, ranks_[i],
+                         reinterpret_cast<const char*>(out[i].cdata()),
+                         bytes(out[i]));
+        indexExchange::count(bytes(out[i]));
+    }
+    Pstream::waitRequests(pending);
+}
+
+void Foam::blockNeighbours::exchange(List<scalarField>& out,
+                                     List<scalarField>& in) const
+{
+    labelList n(out.size());
+    forAll(out, i)
+    {
+        n[i] = out[i].size();
+    }
+    n = sizes(n);
+    values give, take;
+    in.setSize(out.size());
+    forAll(in, i)
+    {
+        in[i].setSize(i == me_ ? 0 : n[i]);
+        give.emplace_back(out[i].data(), out[i].size());
+        take.emplace_back(in[i].data(), in[i].size());
+    }
+    exchange(give, take);
 }

@@ -55,7 +55,7 @@ TEST(BlockNeighbours, findsWhoHasCellsNearAPoint)
     for (const vector& x : X)
     {
         labelList found;
-        neighbours.each(neighbours.near(margin), x,
+        neighbours.each(neighbours.near(margin), grid().cellAt(x),
                         [&](const label i)
                         { found.append(neighbours.ranks()[i]); });
         labelList expected;
@@ -97,20 +97,28 @@ TEST(BlockNeighbours, messagesArrive)
     {
         out[i] = scalarField(me, 100.0 * me + neighbours.ranks()[i]);
     }
-    neighbours.exchange(out, in, false);
-    for (const bool again : {false, true})
+    neighbours.exchange(out, in);
+    labelList sizes(out.size());
+    blockNeighbours::values give, take;
+    forAll(in, i)
     {
-        forAll(in, i)
-        {
-            const label from = neighbours.ranks()[i];
-            if (from == me) continue;
-            EXPECT_EQ(in[i], scalarField(from, 100.0 * from + me));
-        }
-        if (!again)
-        {
-            for (scalarField& f : in)
-                f = -1;
-            neighbours.exchange(out, in, true);
-        }
+        const label from = neighbours.ranks()[i];
+        sizes[i] = out[i].size();
+        give.emplace_back(out[i].data(), out[i].size());
+        take.emplace_back(in[i].data(), in[i].size());
+        if (from == me) continue;
+        EXPECT_EQ(in[i], scalarField(from, 100.0 * from + me));
+        in[i] = -1;
+    }
+
+    // Those of known sizes
+    sizes = neighbours.sizes(sizes);
+    neighbours.exchange(give, take);
+    forAll(in, i)
+    {
+        const label from = neighbours.ranks()[i];
+        EXPECT_EQ(sizes[i], from);
+        if (from == me) continue;
+        EXPECT_EQ(in[i], scalarField(from, 100.0 * from + me));
     }
 }
