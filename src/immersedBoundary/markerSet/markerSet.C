@@ -16,6 +16,131 @@ void Foam::markerSet::place(const vectorField& X)
     sort();
 }
 
+// Along memory: from low to high z, within that from low to high y by some rows,
+// within that as in the list, where neighbours are neighbours in space; what one marker
+// has fetched others find in the cache
+void Foam::markerSet::sort()
+{
+    const label rows = 8;
+    const cellBox& box = grid_.box();
+    const label n = X().size(), perLayer = box.size.y() / rows + 1,
+                nBuckets = perLayer * box.size.z();
+
+    // Within these, in cells of the box, all points of a marker lie in the block, as
+    // they stand in memory; within those it reaches no wall, which would change its
+    // weights. The faces of walls have their velocity from a boundary condition
+    scalar from[3], to[3], wallFree[2][3];
+    bool wide = true; // enough for the points of a row
+    for (direction d = 0; d < 3; ++d)
+    {
+        const label lo = box.lo[d], last = lo + box.size[d] - rowSize(d);
+        const auto after = [&](const label lowest, const label first)
+        { return kernel_.reach() + max(lowest - scalar(1), first - 0.5); };
+        const bool periodic = grid_.periodic(d);
+        from[d] = after(lo == 0 && !periodic ? 1 : lo, lo);
+        to[d] = kernel_.reach() + last - 1e-9; // whatever the rounding
+        wallFree[0][d] = periodic ? -GREAT : after(1, 0);
+        wallFree[1][d] = periodic ? GREAT
+                                  : kernel_.reach() + grid_.n()[d] -
+                                        kernel_.nPoints() - 1e-9;
+        wide = wide && box.size[d] >= rowSize(d);
+    }
+    const auto isWithin =
+        [](const vector& x, const scalar* lo, const scalar* hi)
+    {
+        bool within = true;
+        for (direction d = 0; d < 3; ++d)
+        {
+            within = within && x[d] >= lo[d] && x[d] < hi[d];
+        }
+        return within;
+    };
+
+    // In cells of the box
+    const vector perH(cmptDivide(vector::one, grid_.h()));
+    const auto placeOf = [&](const label k)
+    {
+        vector x(cmptMultiply(X()[k] - grid_.origin(), perH));
+        for (direction d = 0; d < 3; ++d)
+        {
+            const scalar size = grid_.n()[d];
+            if (grid_.periodic(d) && !(x[d] >= 0 && x[d] < size))
+            {
+                x[d] -= size * std::floor(x[d] / size);
+            }
+        }
+        return x;
+    };
+
+    // visit(place) of each periodic image of a place that reaches the block
+    const auto eachImage = [&](const vector& x, auto visit)
+    {
+        scalar at[3][3];
+        int count[3] = {0, 0, 0};
+        for (direction d = 0; d < 3; ++d)
+        {
+            const int images = grid_.periodic(d) ? 1 : 0;
+            for (int image = -images; image <= images; ++image)
+            {
+                const scalar there = x[d] + image * scalar(grid_.n()[d]);
+                if (there > box.lo[d] - kernel_.reach() &&
+                    there < box.lo[d] + box.size[d] + kernel_.reach())
+                {
+                    at[d][count[d]++] = there;
+                }
+            }
+        }
+        for (int i = 0; i < count[0]; ++i)
+            for (int j = 0; j < count[1]; ++j)
+                for (int k = 0; k < count[2]; ++k)
+                    visit(vector(at[0][i], at[1][j], at[2][k]));
+    };
+
+    const label clipped = nBuckets, cut = nBuckets + 1;
+    labelList start(nBuckets + 3, Zero), in(n);
+    for (label k = 0; k < n; ++k)
+    {
+        const vector x(placeOf(k));
+        if (isWithin(x, from, to))
+        {
+            in[k] = label(x.y() - box.lo.y()) / rows +
+                    perLayer * label(x.z() - box.lo.z());
+            ++start[in[k] + 1];
+        }
+        else if (wide && isWithin(x, wallFree[0], wallFree[1]))
+        {
+            in[k] = clipped;
+            eachImage(x, [&](const vector&) { ++start[clipped + 1]; });
+        }
+        else
+        {
+            in[k] = cut;
+            ++start[cut + 1];
+        }
+    }
+    for (label b = 1; b < start.size(); ++b)
+    {
+        start[b] += start[b - 1];
+    }
+    nWhole_ = start[clipped];
+    nClipped_ = start[cut] - nWhole_;
+    sorted_.resize(start.last());
+    at_.resize(start.last());
+    for (label k = 0; k < n; ++k)
+    {
+        const auto put = [&](const vector& x)
+        {
+            const label to = start[in[k]]++;
+            sorted_[to] = k;
+            at_[to] = x;
+        };
+        if (in[k] == clipped)
+            eachImage(placeOf(k), put);
+        else
+            put(placeOf(k));
+    }
+}
+
 void Foam::markerSet::interpolate(const List<staggeredView>& u,
                                   vectorField& U) const
 {
