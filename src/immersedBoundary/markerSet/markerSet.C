@@ -26,16 +26,18 @@ void Foam::markerSet::sort()
     const label n = X().size(), perLayer = box.size.y() / rows + 1,
                 nBuckets = perLayer * box.size.z();
 
-    // Within these, in cells of the box, all points of a marker lie in the block, as
-    // they stand in memory; within those it reaches no wall, which would change its
+    // In cells of the box: between from and to all points of a marker lie in the block,
+    // as they stand in memory; between wallFree[0] and wallFree[1] no wall changes its
     // weights. The faces of walls have their velocity from a boundary condition
     scalar from[3], to[3], wallFree[2][3];
     bool wide = true; // enough for the points of a row
     for (direction d = 0; d < 3; ++d)
     {
         const label lo = box.lo[d], last = lo + box.size[d] - rowSize(d);
-        const auto after = [&](const label lowest, const label first)
-        { return kernel_.reach() + max(lowest - scalar(1), first - 0.5); };
+        const auto after = [&](const label lowestFace, const label lowestCell) {
+            return kernel_.reach() +
+                   max(lowestFace - scalar(1), lowestCell - 0.5);
+        };
         const bool periodic = grid_.periodic(d);
         from[d] = after(lo == 0 && !periodic ? 1 : lo, lo);
         to[d] = kernel_.reach() + last - 1e-9; // whatever the rounding
@@ -84,7 +86,7 @@ void Foam::markerSet::sort()
             {
                 const scalar there = x[d] + image * scalar(grid_.n()[d]);
                 if (there > box.lo[d] - kernel_.reach() &&
-                    there < box.lo[d] + box.size[d] + kernel_.reach())
+                    there < box.lo[d] + box.size[d] - 0.5 + kernel_.reach())
                 {
                     at[d][count[d]++] = there;
                 }
@@ -96,7 +98,7 @@ void Foam::markerSet::sort()
                     visit(vector(at[0][i], at[1][j], at[2][k]));
     };
 
-    const label clipped = nBuckets, cut = nBuckets + 1;
+    const label ofClipped = nBuckets, ofCut = nBuckets + 1;
     labelList start(nBuckets + 3, Zero), in(n);
     for (label k = 0; k < n; ++k)
     {
@@ -109,21 +111,21 @@ void Foam::markerSet::sort()
         }
         else if (wide && isWithin(x, wallFree[0], wallFree[1]))
         {
-            in[k] = clipped;
-            eachImage(x, [&](const vector&) { ++start[clipped + 1]; });
+            in[k] = ofClipped;
+            eachImage(x, [&](const vector&) { ++start[ofClipped + 1]; });
         }
         else
         {
-            in[k] = cut;
-            ++start[cut + 1];
+            in[k] = ofCut;
+            ++start[ofCut + 1];
         }
     }
     for (label b = 1; b < start.size(); ++b)
     {
         start[b] += start[b - 1];
     }
-    nWhole_ = start[clipped];
-    nClipped_ = start[cut] - nWhole_;
+    nWhole_ = start[ofClipped];
+    nClipped_ = start[ofCut] - nWhole_;
     sorted_.resize(start.last());
     at_.resize(start.last());
     for (label k = 0; k < n; ++k)
@@ -134,7 +136,7 @@ void Foam::markerSet::sort()
             sorted_[to] = k;
             at_[to] = x;
         };
-        if (in[k] == clipped)
+        if (in[k] == ofClipped)
             eachImage(placeOf(k), put);
         else
             put(placeOf(k));

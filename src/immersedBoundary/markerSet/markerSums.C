@@ -22,8 +22,8 @@ inline fourValues& fourAt(double* p)
 } // namespace
 
 //- Some markers that follow each other in sorted_: of each its position, counted in
-//  points, the first point that it reaches, counted through the box, and the weights of
-//  four points from there, in six sets of points: faces in the three directions, then
+//  points, the first of four points in a row, counted through the box, and their
+//  weights, in six sets of points: faces in the three directions, then
 //  centres in them. Made where they are used, in the processor's cache: to fetch them
 //  from memory takes longer
 struct Foam::markerSet::weightBatch
@@ -57,8 +57,8 @@ struct Foam::markerSet::weightBatch
         }
     }
 
-    //- The four points moved to where they lie in the block, as they stand in memory;
-    //  those that do not lie there lose their weights
+    //- Of clipped markers: four points that all lie in the block instead, as they stand
+    //  in memory. Weights stay with their points; points outside lose theirs
     void clip(const markerSet& markers, const label size)
     {
         for (int i = 0; i < 6; ++i)
@@ -121,7 +121,7 @@ void Foam::markerSet::cut(const weightBatch& w, const label marker,
             for (label k = 0; k < nPoints; ++k)
             {
                 const label at = lowest + k;
-                s.at[k] = at < 0 ? at + n : at < n ? at : at - n;
+                s.at[k] = (at % n + n) % n;
                 s.weight[k] = w.weight[k][i][marker];
             }
         }
@@ -148,12 +148,13 @@ void Foam::markerSet::cut(const weightBatch& w, const label marker,
 // ---- sums over the points of this rank
 
 // visit(marker, component, first point, steps to the next row and layer, factor of the
-// field, weights along x, y and z) for some whole markers. Rows are fetched some markers
-// ahead, as they lie all over memory
+// field, weights along x, y and z) for some markers that are whole, or clipped. Rows are
+// fetched some markers ahead, as they lie all over memory
 template<int n, class Places, class Visit>
 void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
                                 const label end, Visit visit) const
 {
+    if (fields.empty()) return;
     const label ahead = 6, most = weightBatch::n;
     for (label b = begin; b < end; b += most)
     {
@@ -349,7 +350,8 @@ void Foam::markerSet::scatterCut(const UList<vector>& F,
 }
 
 // Markers of a layer of cells reach two layers down and up, so that those four layers
-// apart have no point in common: values are taken four layers behind the forces
+// apart have no point in common: values are taken four layers behind the forces. Those
+// that are clipped or cut are in no order: first their forces, last their values
 template<int n>
 void Foam::markerSet::sweepAll(const UList<vector>& F,
                                const List<staggeredTarget>& f,

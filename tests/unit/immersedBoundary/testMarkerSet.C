@@ -107,6 +107,56 @@ TEST_P(MarkerSet, interpolationIsTheAdjointOfSpreading)
                       mag(onMarkers - onGrid) / size, 1e-13);
 }
 
+// The sum itself, point by point, for markers of each kind: whole, clipped, cut
+TEST_P(MarkerSet, interpolatesAsTheKernelSays)
+{
+    const vectorField X(randomMarkers(500));
+    staggeredField u(grid().box());
+    fill(u,
+         [](const point& p, const direction d) { return test::noise(p, d); });
+    vectorField U;
+    markers.place(X);
+    markers.interpolate({u}, U);
+
+    scalar error = 0;
+    forAll(X, k)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            kernelStencil s[3];
+            for (direction e = 0; e < 3; ++e)
+            {
+                const label n = grid().n()[e];
+                const bool periodic = grid().periodic(e);
+                // To the last digit as markerSet has it: beside a wall it is magnified
+                scalar x = (X[k][e] - grid().origin()[e]) * (1 / grid().h()[e]);
+                if (periodic) x -= n * std::floor(x / n);
+                deltaKernel(GetParam())
+                    .stencil(x, e == d ? 0 : 0.5, e == d && !periodic ? 1 : 0,
+                             n - 1, n, periodic, s[e]);
+            }
+            scalar sum = 0;
+            for (label a = 0; a < s[0].size; ++a)
+            {
+                for (label b = 0; b < s[1].size; ++b)
+                {
+                    for (label c = 0; c < s[2].size; ++c)
+                    {
+                        const labelVector ijk(s[0].at[a], s[1].at[b],
+                                              s[2].at[c]);
+                        sum += s[0].weight[a] * s[1].weight[b] *
+                               s[2].weight[c] *
+                               test::noise(facePoint(ijk, d), d);
+                    }
+                }
+            }
+            error = max(error, mag(U[k][d] - sum));
+        }
+    }
+    test::expectBelow("error of the sum over the points",
+                      returnReduce(error, maxOp<scalar>()), 1e-13);
+}
+
 TEST_P(MarkerSet, findsVelocitiesInOneSweepWithForces)
 {
     const vectorField X(randomMarkers(3000)), F(randomVectors(3000, 17));
