@@ -47,6 +47,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     markers_.reset(new markerSet(grid_, deltaKernel(dict), *neighbours_));
 
     accuracy_ = bodyAccuracy(dict);
+    const Time& time = mesh_.time();
     const bodyScene scene{grid_,
                           markers_->kernel(),
                           solverBalances_,
@@ -55,6 +56,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                           readGravity(),
                           expectedDeltaT(),
                           adjusted(),
+                          time.endTime().value() - time.startTime().value(),
                           accuracy_,
                           readCoupling(dict, bodyCoupling::twoWay),
                           removesOutside(dict, false),

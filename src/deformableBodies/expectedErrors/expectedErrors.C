@@ -55,11 +55,15 @@ Foam::string Foam::atMost(const scalar x)
 }
 
 Foam::expectedError Foam::ofForcing(const scalar nu, const scalar deltaT,
-                                    const scalar h)
+                                    const scalar h, const scalar duration)
 {
     const auto number = [=](const scalar step) { return nu * step / sqr(h); };
     const auto largest = [=](const scalar error)
-    { return min(scalar(10), error / 8e-4) / number(1); };
+    {
+        const scalar late = error * duration;
+        return min(min(scalar(10), error / 8e-4) / number(1),
+                   min(late, std::sqrt(late / (15 * number(1)))));
+    };
     const auto lag = [=](const scalar step)
     {
         return "once steady; a force lags by " +

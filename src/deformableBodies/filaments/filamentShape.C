@@ -47,7 +47,8 @@ Foam::expectedErrors Foam::filamentGroup::errors(const flowScales&) const
     {
         e.parts.push_back(
             {"drag", 0.03, "of a fibre of the kernel's thickness", nullptr});
-        e.parts.push_back(ofForcing(scene_.mu / scene_.rho, scene_.deltaT, h_));
+        e.parts.push_back(ofForcing(scene_.mu / scene_.rho, scene_.deltaT, h_,
+                                    scene_.duration));
     }
     return e;
 }

@@ -288,7 +288,8 @@ Foam::expectedErrors Foam::rigidGroup::errors(const flowScales&) const
                                                   : 0.064 / left)) +
                     " m and smaller";
          }});
-    e.parts.push_back(ofForcing(scene_.mu / scene_.rho, scene_.deltaT, h_));
+    e.parts.push_back(
+        ofForcing(scene_.mu / scene_.rho, scene_.deltaT, h_, scene_.duration));
     return e;
 }
 
