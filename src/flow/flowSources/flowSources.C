@@ -1,8 +1,10 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "flowSources.H"
+#include "caseFiles.H"
 #include "dictionaryChecks.H"
 #include "fvMatrices.H"
+#include "IOdictionary.H"
 #include "lowModeForcing.H"
 #include "resultFile.H"
 
@@ -45,6 +47,38 @@ direction axisOf(const vector& v)
     return 3;
 }
 } // namespace
+
+struct Foam::flowSources::gradientOfRun : public regIOobject
+{
+    scalar value = 0;
+
+    gradientOfRun(const word& option, const fvMesh& mesh)
+        : regIOobject(IOobject(option, mesh.time().timeName(), "uniform", mesh,
+                               IOobject::NO_READ, IOobject::AUTO_WRITE))
+    {
+        const IOobject io(option, mesh.time().timeName(), "uniform", mesh,
+                          IOobject::MUST_READ, IOobject::NO_WRITE, false);
+        if (isThere<IOdictionary>(io))
+        {
+            value = IOdictionary(io).get<scalar>("gradient");
+        }
+    }
+
+    virtual const word& type() const { return IOdictionary::typeName; }
+
+    //- The same on all ranks
+    virtual bool global() const { return true; }
+
+    virtual bool writeData(Ostream& os) const
+    {
+        const int precision = os.precision(17);
+        os.writeEntry("gradient", value);
+        os.precision(precision);
+        return os.good();
+    }
+};
+
+Foam::flowSources::~flowSources() = default;
 
 Foam::string Foam::flowSources::unsupported(const fv::option& o,
                                             const volVectorField& U)
@@ -161,6 +195,7 @@ Foam::flowSources::flowSources(fv::optionList& options, volVectorField& U,
         {
             held_ = i;
             Ubar_ = o.coeffs().get<vector>("Ubar");
+            gradient_.reset(new gradientOfRun(o.name(), U.mesh()));
             if (Pstream::master())
             {
                 file_ =
@@ -195,7 +230,7 @@ void Foam::flowSources::add()
     // Options may be active for some time only
     if (held_ >= 0 && options_[held_].isActive())
     {
-        flow_.hold(axisOf(Ubar_), Ubar_[axisOf(Ubar_)]);
+        flow_.hold(axisOf(Ubar_), Ubar_[axisOf(Ubar_)], gradient_->value);
     }
     else
     {
@@ -220,6 +255,7 @@ void Foam::flowSources::add()
 void Foam::flowSources::report()
 {
     if (held_ < 0 || !options_[held_].isActive()) return;
+    gradient_->value = flow_.meanGradient();
     Info << "Pressure gradient source: uncorrected Ubar = "
          << flow_.meanBefore()
          << ", pressure gradient = " << flow_.meanGradient() << endl;

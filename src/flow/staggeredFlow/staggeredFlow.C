@@ -113,11 +113,17 @@ void Foam::staggeredFlow::setViscosity(const volScalarField& nu,
     }
 }
 
-void Foam::staggeredFlow::hold(const direction component, const scalar mean)
+void Foam::staggeredFlow::hold(const direction component, const scalar mean,
+                               const scalar likelyGradient)
 {
     holdsMean_ = true;
     heldComponent_ = component;
     heldMean_ = mean;
+    likelyGradient_ = likelyGradient;
+    for (scalar& f : force_[component])
+    {
+        f += likelyGradient;
+    }
 }
 
 // Halo, then the points beyond walls: tangential components mirrored about the
@@ -294,7 +300,8 @@ void Foam::staggeredFlow::begin(const scalar dt)
     }
     stage_ = 0;
     stepDt_ = dt;
-    gradient_ = 0;
+    gradient_ = likelyGradient_ * dt;
+    likelyGradient_ = 0;
 }
 
 void Foam::staggeredFlow::step(const scalar dt)
