@@ -32,7 +32,7 @@ import shutil
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
-from caseRuns import Failed, Runs, atOneTime, change, clock, copyCase, die, guarded, readOptions
+from caseRuns import Failed, NotOfTheCase, Runs, atOneTime, change, clock, copyCase, die, guarded, percent, readOptions
 
 # Larger is finer, or smaller is; others are compared with the last value given
 finerUp = {"cells", "harmonics", "segments"}
@@ -73,7 +73,8 @@ def limitOf(name, levels):
         if d2 != 0 and d1 / d2 > 1:
             # d1/d2 = (h0^p - h1^p)/(h1^p - h2^p) by bisection
             f = lambda p: (h[0]**p - h[1]**p) / (h[1]**p - h[2]**p) - d1 / d2
-            low, high = 0.3, 5.0
+            # A larger order than of any of the methods is chance
+            low, high = 0.3, 3.0
             if f(low) * f(high) < 0:
                 for _ in range(80):
                     middle = 0.5 * (low + high)
@@ -106,6 +107,11 @@ def main():
             die("endTime says what is looked at, not how exactly: --set endTime=... changes it in all runs")
         if name in knobs:
             die("--vary has %s twice" % name)
+        for v in values if name in finerUp | finerDown else []:
+            x = number(v)
+            if x is None or not 0 < x < math.inf or (name in finerUp and x != int(x)):
+                die("--vary %s has '%s', allowed: %s numbers greater than 0" % (
+                    name, v, "whole" if name in finerUp else "only"))
         knobs[name] = ordered(name, values)
     if not knobs:
         die("nothing to vary: --vary deltaT=2e-3,1e-3 or --vary cells=24,32,48 (see --help)")
@@ -122,16 +128,17 @@ def main():
         try:
             return job, runs.run(*job), None
         except Failed as e:
-            return job, None, str(e)
+            return job, None, e
 
     def report(job, result, failure):
         nonlocal done
         done += 1
         spent = time.time() - runs.started
         text = "%s %.6g, %.1f core s" % (result["quantity"], result["value"], result["seconds"]) \
-            if result else "FAILED: " + failure
-        print("[%d/%d] %-24s %s; to go some %s" % (
-            done, len(jobs), job[0], text, clock(spent / done * (len(jobs) - done))), flush=True)
+            if result else "FAILED: %s" % failure
+        if result or done > 1:
+            text += "; to go some " + clock(spent / done * (len(jobs) - done))
+        print("[%d/%d] %-24s %s" % (done, len(jobs), job[0], text), flush=True)
         (results if result else failures)[job[0]] = result or failure
 
     runs.endWithSignals()
@@ -149,7 +156,9 @@ def main():
 
     report(*one(jobs[0]))
     if "base" in failures:
-        die("the case as it stands does not run: " + failures["base"])
+        why = failures["base"]
+        die(why if isinstance(why, NotOfTheCase) else "the case as it stands does not run: %s" % why)
+    runs.quantity = results["base"]["quantity"]
     with ThreadPoolExecutor(options.jobs) as pool:
         for outcome in pool.map(one, jobs[1:]):
             report(*outcome)
@@ -162,7 +171,7 @@ def main():
             atOneTime(sampled + [r])
             sampled.append(r)
         except Failed as e:
-            failures[label] = str(e)
+            failures[label] = e
             del results[label]
     atOneTime(sampled)
     for name, values in knobs.items():
@@ -179,8 +188,8 @@ def main():
           % (base["quantity"], base["time"], base["value"], best))
     options_ = []
     for name, (limit, sure, how, levels) in limits.items():
-        print("    %-12s changes the case's value by %.2g %% up to its limit (%s, sure to %.1g %%)" % (
-            name, 100 * abs(base["value"] - limit) / scale, how, 100 * sure / scale))
+        print("    %-12s changes the case's value by %s up to its limit (%s, sure to %s)" % (
+            name, percent(abs(base["value"] - limit) / scale), how, percent(sure / scale)))
         choices = [("as it is", abs(base["value"] - limit) / scale, 1.0)]
         for v, r in levels:
             error = abs(r["value"] - limit) / scale
@@ -201,16 +210,16 @@ def main():
     for target in (0.01, 0.003, 0.001):
         fit = [c for c in combinations if c[0] <= target]
         if not fit:
-            print("For %g %%: none of these; the best reach %.2g %%" % (100 * target, 100 * min(combinations)[0]))
+            print("For %g %%: none of these; the best reach %s" % (100 * target, percent(min(combinations)[0])))
             continue
         error, cost, choice = min(fit, key=lambda c: c[1])
-        print("For %g %%: %s, some %.3g core seconds (error %.2g %%)" % (
-            100 * target, ", ".join("%s %s" % c[:2] for c in choice), cost, 100 * error))
+        print("For %g %%: %s, some %.3g core seconds (error %s)" % (
+            100 * target, ", ".join("%s %s" % c[:2] for c in choice), cost, percent(error)))
     draw(options.out + "/accuracyCost.png", base, limits, rows, scale)
     print("Written: %s/accuracyCost.csv and .png" % options.out)
     for label, why in failures.items():
         print("Not run: %s: %s" % (label, why), file=sys.stderr)
-    if any("budget" in why for why in failures.values()):
+    if any("budget" in str(why) for why in failures.values()):
         print("The same command with a larger budget goes on from here", file=sys.stderr)
     sys.exit(2 if failures else 0)
 

@@ -15,8 +15,7 @@ import time
 
 perType = {"capsule": {"harmonics", "markerSpacing", "nearField", "motion"},
            "filament": {"segments", "scheme"}, "rigid": {"markerSpacing", "nearField"}}
-quantities = ["D", "tipY", "angle", "velocityY", "velocityX", "x"]
-quantities = ["D", "tipY", "angle", "velocityY", "velocityX", "x"]
+quantities = ["D", "tipY", "angle", "velocity", "x"]
 
 
 def die(text):
@@ -26,6 +25,14 @@ def die(text):
 
 class Failed(Exception):
     pass
+
+
+class NotOfTheCase(Failed):
+    """What was asked for is wrong, or too little time: the case may be right."""
+
+
+def percent(share):
+    return "%.*f %%" % (0, 100 * share) if abs(share) >= 0.995 else "%.2g %%" % (100 * share)
 
 
 def seconds(text):
@@ -162,7 +169,7 @@ class Runs:
             raise Failed("the run wrote no postProcessing/bodies/*/*.dat: does the case have bodies?")
         groups = list(dict.fromkeys(os.path.basename(file)[:-4] for file in files))
         if self.group and self.group not in groups:
-            raise Failed("there is no group '%s', allowed: %s" % (self.group, " ".join(groups)))
+            raise NotOfTheCase("there is no group '%s', allowed: %s" % (self.group, " ".join(groups)))
         seen = []
         for file in files:
             group = os.path.basename(file)[:-4]
@@ -171,12 +178,18 @@ class Runs:
             with open(file) as lines:
                 names = next(lines).split()[1:]
             seen += names[2:]
+            rows = [line.split() for line in open(file) if line[0] != "#"]
             wanted = [self.quantity] if self.quantity else quantities
+            if "velocity" in wanted and rows:
+                # Where a body goes
+                ways = [n for n in names if re.fullmatch("velocity[XYZ]", n)]
+                ways.sort(key=lambda n: -abs(float(rows[-1][names.index(n)])))
+                wanted = wanted[:3] + ways[:1] + wanted[4:]
             name = next((q for q in wanted if q in names[2:]), None)
             if name is None:
                 continue
             at = {}
-            for r in (line.split() for line in open(file) if line[0] != "#"):
+            for r in rows:
                 at.setdefault(float(r[0]), []).append(float(r[names.index(name)]))
             at = {t: sum(v) / len(v) for t, v in at.items()}
             if len(at) < 2:
@@ -184,7 +197,7 @@ class Runs:
             if not math.isfinite(at[max(at)]):
                 raise Failed("%s is not a number" % name)
             return {"value": at[max(at)], "quantity": name, "time": max(at), "values": at}
-        raise Failed("there is no quantity '%s'%s, allowed: %s" % (
+        raise NotOfTheCase("there is no quantity '%s'%s, allowed: %s" % (
             self.quantity, " of group " + self.group if self.group else "", " ".join(dict.fromkeys(seen))))
 
     def run(self, label, settings):
@@ -212,7 +225,7 @@ class Runs:
                     if os.path.exists(os.path.join(folder, needs))] + [solver]
         for program in programs:
             if self.left() <= 0:
-                raise Failed("the budget is used up")
+                raise NotOfTheCase("the budget is used up")
             with open("%s/log.%s" % (folder, program), "w") as log:
                 process = subprocess.Popen([program], cwd=folder, stdout=log, stderr=log, start_new_session=True)
                 self.running.add(process)
@@ -221,14 +234,15 @@ class Runs:
                 except subprocess.TimeoutExpired:
                     os.killpg(process.pid, signal.SIGKILL)
                     process.wait()
-                    raise Failed("the budget ended during this run")
+                    raise NotOfTheCase("the budget ended during this run")
                 finally:
                     self.running.discard(process)
             text = open(log.name).read()
             if status != 0 or "FOAM FATAL" in text:
                 found = re.search(r"FOAM FATAL[^\n]*\n(.*?)\n\s*\n", text, re.S)
                 raise Failed("%s stopped: %s (%s)" % (
-                    program, " ".join(found[1].split()) if found else "status %d" % status, log.name))
+                    program, "; ".join(filter(None, map(str.strip, found[1].splitlines()))) if found
+                    else "status %d" % status, log.name))
         found = self.read(folder)
         # In hundredths
         times = re.findall(r"ExecutionTime = ([0-9.]+) s", text)
@@ -263,7 +277,8 @@ def readOptions(tool, description, add=lambda parser: None):
     parser.add_argument("--set", action="append", default=[], dest="always", metavar="NAME=VALUE",
                         help="another value in all runs, such as endTime=0.5 (names: accuracyCost --help)")
     parser.add_argument("--quantity", help="column of a .dat file of the bodies, at the last time, on average "
-                        "over the bodies (default: the first there is of " + " ".join(quantities) + ")")
+                        "over the bodies (default: the first there is of " + " ".join(quantities) +
+                        "; velocity: its largest component)")
     parser.add_argument("--group", help="of this group of bodies")
     parser.add_argument("--budget", help="wall time for all runs, such as 90s, 30min, 2h")
     parser.add_argument("--out", help="output folder (default: %s.<case>, here)" % tool)

@@ -14,7 +14,7 @@ import os
 import re
 import sys
 import textwrap
-from caseRuns import Failed, Runs, atOneTime, dictionary, die, guarded, readOptions
+from caseRuns import Failed, NotOfTheCase, Runs, atOneTime, dictionary, die, guarded, percent, readOptions
 
 bodiesFile = "constant/deformableBodies"
 
@@ -96,7 +96,8 @@ def main():
             folder + "/system/controlDict", "-entry", "application", "-value") or "").strip())
         active, skipped = table(log)
     except Failed as e:
-        die("the case as it stands does not run: %s" % e)
+        die(str(e) if isinstance(e, NotOfTheCase) else "the case as it stands does not run: %s" % e)
+    runs.quantity = base["quantity"]
     spent = clocks(log)
     print("%s at time %g: %.6g, %.1f core s" % (base["quantity"], base["time"], base["value"], base["seconds"]))
     print("Seconds by the clocks of the run: " + ", ".join(
@@ -111,16 +112,16 @@ def main():
             b, r = atOneTime([dict(base), runs.run("without " + name, changes)])
         except Failed as e:
             failed += 1
-            print("%-40s cannot be left out: %s" % (name, textwrap.shorten(str(e), 160)), flush=True)
+            print("%-40s cannot be left out: %s" % (name, textwrap.shorten(str(e), 300)), flush=True)
             continue
         cost = (base["seconds"] - r["seconds"]) / base["seconds"]
         change = (r["value"] - b["value"]) / (abs(b["value"]) or 1)
         rows.append([name, spent.get(effect, ""), r["seconds"], cost, r["value"], change])
         own = spent.get(effect)
-        print("%-40s %8.1f %8s %12s  %.2g %%   [%d/%d]" % (
+        print("%-40s %8.1f %8s %12s  %s   [%d/%d]" % (
             name, r["seconds"], "-" if base["seconds"] < 1 else "%.0f %%" % (100 * cost),
             "-" if own is None else "%.0f %%" % (100 * own / max(1e-9, sum(spent.values()))),
-            100 * change, n + 1, len(todo)), flush=True)
+            percent(change), n + 1, len(todo)), flush=True)
     with open(options.out + "/effectPrice.csv", "w") as f:
         out = csv.writer(f)
         out.writerow(["without", "clockSeconds", "coreSeconds", "shareOfCost", base["quantity"], "change"])
