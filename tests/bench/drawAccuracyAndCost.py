@@ -23,7 +23,7 @@ states of its own error (`accuracy 0.01;`) follows these laws, with their scatte
 | cells, with near field, a/h 3 and more | 0.3 % (0.7 % with a viscosity ratio) |
 | cells, without | 8 % (4 h/a)^1.3 |
 | harmonics to degree N | 0.3 % (6/N)^2, below 5: 1.5 % |
-| markers at most a cell apart | 0.05 % |
+| markers s cells apart, stretched by a quarter, s from 0.9 to 1.6 | 0.03 % s^6 |
 | step | 6 (deltaT rate)^2 |
 
 On other scenes the true error is within the stated one (`tests/validation/expectedErrors`). Of filaments: 4/segments^2 of the shape, and 3 % of the drag of a fibre of the kernel's

@@ -118,8 +118,8 @@ bool Foam::bodyGroup::readGravity(const dictionary& dict) const
 }
 
 Foam::bodyGroup::nearFieldEntry
-Foam::bodyGroup::readNearField(const dictionary& dict,
-                               const string& never) const
+Foam::bodyGroup::readNearField(const dictionary& dict, const string& never,
+                               const scalar errorWithout) const
 {
     enum choice
     {
@@ -145,6 +145,12 @@ Foam::bodyGroup::readNearField(const dictionary& dict,
         refuse(dict, "nearField", "on", "auto or off: " + whyNot);
     }
     if (wanted == OFF) whyNot = "off";
+    const scalar error = scene_.accuracy.wanted;
+    if (wanted == AUTO && whyNot.empty() && errorWithout >= 0 &&
+        errorWithout <= 0.6 * error)
+    {
+        whyNot = "accuracy " + Foam::name(error) + " needs none";
+    }
     return {wanted == ON, wanted == AUTO && whyNot.empty(), whyNot};
 }
 

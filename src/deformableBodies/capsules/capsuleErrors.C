@@ -28,6 +28,13 @@ Foam::scalar ofCells(const Foam::scalar radius)
     return 0.08 * std::pow(4 / radius, 1.3);
 }
 
+// Of markers that are so many cells apart where the shape is stretched by a quarter;
+// measured from 0.9 to 1.6
+Foam::scalar ofMarkers(const Foam::scalar spacing)
+{
+    return 3e-4 * std::pow(Foam::max(spacing, Foam::scalar(0.9)), 6);
+}
+
 Foam::string number(const Foam::scalar x)
 {
     Foam::OStringStream os;
@@ -39,10 +46,28 @@ Foam::string number(const Foam::scalar x)
 
 Foam::label Foam::capsuleGroup::enoughHarmonics(const scalar error) const
 {
-    label degree = round_ ? 5 : 12;
+    label degree = round_ && !nucleated_ ? 5 : 12;
     while (ofHarmonics(degree) > error)
         ++degree;
     return degree;
+}
+
+Foam::scalar Foam::capsuleGroup::enoughMarkers(const scalar error) const
+{
+    return min(1.6, max(0.9, std::pow(error / ofMarkers(1), 1.0 / 6)));
+}
+
+Foam::scalar Foam::capsuleGroup::errorOfCells(const bool nearField) const
+{
+    const scalar radius = radius_ / cmptMax(scene_.grid.h());
+    if (!scene_.forceAtFaces || !round_ || nucleated_ ||
+        radius < leastRadius * (1 - 1e-6) ||
+        !(nearField ? nearFieldKnown_ : viscosityRatio_ == 1))
+    {
+        return -1;
+    }
+    return nearField ? (viscosityRatio_ == 1 ? 0.003 : 0.007) + nearFieldError_
+                     : ofCells(radius);
 }
 
 Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
@@ -53,28 +78,23 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
     {
         string by("a/h " + number(radius) +
                   (nBodies() > 1 ? ", each as if alone" : ""));
-        scalar error = -1;
         std::function<string(scalar)> remedy;
         if (!scene_.forceAtFaces)
             by += ", force as an average of each cell";
         else if (!round_)
             by += ", not measured on such shapes";
+        else if (nucleated_)
+            by += ", not measured with a nucleus";
         else if (radius < leastRadius * (1 - 1e-6))
             by += ", not measured below " + number(leastRadius);
         else if (nearField_)
         {
             by += nearFieldKnown_ ? " with near field"
                                   : ", near field beyond what is known";
-            if (nearFieldKnown_)
-            {
-                error =
-                    (viscosityRatio_ == 1 ? 0.003 : 0.007) + nearFieldError_;
-            }
         }
         else
         {
             by += " without near field";
-            if (viscosityRatio_ == 1) error = ofCells(radius);
             remedy = [this](const scalar left)
             {
                 scalar cells = leastRadius;
@@ -83,10 +103,12 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
                 return "cells of " + atMost(radius_ / cells) + " m and smaller";
             };
         }
-        e.parts.push_back({"cells", error, by, remedy});
+        e.parts.push_back(
+            {"cells", errorOfCells(bool(nearField_)), by, remedy});
     }
     const label degree = harmonics().degree();
-    e.parts.push_back({"harmonics", round_ ? ofHarmonics(degree) : -1,
+    e.parts.push_back({"harmonics",
+                       round_ && !nucleated_ ? ofHarmonics(degree) : -1,
                        "N = " + Foam::name(degree),
                        [=](const scalar left)
                        {
@@ -95,7 +117,16 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
                                       ? "harmonics " + Foam::name(more)
                                       : string();
                        }});
-    e.parts.push_back({"markers", 5e-4, "at most a cell apart", nullptr});
+    e.parts.push_back({"markers", ofMarkers(markerSpacing_),
+                       "up to " + number(markerSpacing_) + " cells apart",
+                       [this](const scalar left)
+                       {
+                           const scalar enough = enoughMarkers(left);
+                           return enough < markerSpacing_ &&
+                                          ofMarkers(enough) <= left
+                                      ? "markerSpacing " + atMost(enough)
+                                      : string();
+                       }});
 
     // Adjusted steps keep to the limit of explicit motion
     const membraneModel& law = membrane_->model();
@@ -115,7 +146,8 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
                     : string("the flow has no rate at the start"),
          nullptr,
          rate > 0 && !stiffArea ? std::function<scalar(scalar)>(largest)
-                                : nullptr});
+                                : nullptr,
+         [rate](const scalar dt) { return ofStep(rate * dt); }});
     return e;
 }
 
@@ -147,6 +179,7 @@ std::vector<Foam::errorIndicator> Foam::capsuleGroup::indicators() const
     return {
         {"highest harmonics", highest, 0.03,
          "entry harmonics to more (on finer cells, where they are as many as "
-         "the cells move), or deltaT to less if the membrane wrinkles"},
-        {"change of volume", change, 1e-3, "deltaT to less"}};
+         "the cells move), or " +
+             smallerSteps() + " if the membrane wrinkles"},
+        {"change of volume", change, 1e-3, smallerSteps()}};
 }

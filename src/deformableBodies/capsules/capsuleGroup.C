@@ -39,6 +39,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
         readDict(dict, "shape", "type sphere; radius 1e-6;");
     const word form(shape.get<word>("type"));
     round_ = form == "sphere" || form == "ellipsoid";
+    nucleated_ = dict.found("nucleus");
     const label moved = degreeOfMesh(shape);
     const label degree = dict.getOrDefault<label>(
         "harmonics",
@@ -56,10 +57,11 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
         refuse(dict, "dealiasing", Foam::name(dealiasing), "1 to 4");
     }
     const scalar spacing = byAccuracy<scalar>(
-        dict, "markerSpacing", {1, 0.9, 0.6}, [](scalar) { return 1; });
-    if (spacing < 0.1 || spacing > 1)
+        dict, "markerSpacing", {1.3, 1.1, 0.6},
+        [this](const scalar wanted) { return enoughMarkers(0.1 * wanted); });
+    if (spacing < 0.1 || spacing > 1.6)
     {
-        refuse(dict, "markerSpacing", Foam::name(spacing), "0.1 to 1");
+        refuse(dict, "markerSpacing", Foam::name(spacing), "0.1 to 1.6");
     }
 
     shearPlane_ = readShearPlane(dict);
@@ -97,11 +99,12 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
         }
     }
 
-    // Markers: the largest circumference in h, stretched by a quarter
+    // Markers: the largest circumference in h, stretched by a quarter. With fewer than
+    // ten latitudes D errs by more than a per cent at large steps (a/h = 2)
     const scalar h = cmptMin(scene.grid.h());
+    const scalar around = 1.25 * constant::mathematical::pi * extent / h;
     const label nTheta =
-        max(degree + 1, label(std::ceil(1.25 * constant::mathematical::pi *
-                                        extent / (spacing * h))));
+        max(max(degree + 1, label(10)), label(std::ceil(around / spacing)));
     if (nTheta > 1000)
     {
         refuse(dict, "shape", "of size " + Foam::name(extent),
@@ -109,6 +112,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                    " on this mesh (1000 rings of markers)");
     }
     markers_.reset(new surfacePoints(degree, nTheta));
+    markerSpacing_ = around / markers_->grid().nTheta();
     coeffs_.resize(initial.size());
 
     const scalar prestress = dict.getOrDefault<scalar>("prestress", 0);
@@ -140,8 +144,15 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
 
     const dictionary& bend = readDictIfThere(dict, "bending", "modulus 1e-19;");
     checkEntries(bend, {"modulus", "reference"});
-    if (dict.found("bending") &&
-        dimensionedScalar("modulus", dimForce * dimLength, bend).value() != 0)
+    const scalar modulus =
+        dict.found("bending")
+            ? dimensionedScalar("modulus", dimForce * dimLength, bend).value()
+            : 0;
+    if (modulus < 0)
+    {
+        refuse(bend, "modulus", Foam::name(modulus), "0 and greater");
+    }
+    if (modulus > 0)
     {
         bending_.reset(
             new bending(bend, membrane_->harmonics(), radius_, initial));
@@ -313,7 +324,7 @@ void Foam::capsuleGroup::insertBody(const label i, const label body)
         c.x[d] +=
             positions_[body][d] * std::sqrt(4 * constant::mathematical::pi);
     }
-    c.xMid = c.x;
+    startAt(c);
     c.velocity.assign(c.x.size(), 0);
     if (penalty_) c.load = c.lag = c.lagBefore = c.velocity;
     capsules_.insert(capsules_.begin() + i, c);
@@ -347,12 +358,7 @@ Foam::boundBox Foam::capsuleGroup::bounds(const label i,
                                           const bool smallest) const
 {
     const numbers& x = capsules_[i].x;
-    if (smallest)
-    {
-        vectorField points(markers_->size());
-        markers_->values(x.data(), points.data());
-        return boundBox(points, false);
-    }
+    if (smallest) return boundBox(capsules_[i].markers, false);
     vector reach(Zero);
     for (label n = 1; n <= harmonics().degree(); ++n)
     {
@@ -384,10 +390,7 @@ Foam::point Foam::capsuleGroup::centre(const label i) const
 void Foam::capsuleGroup::checkStart(const label i, const dictionary& dict) const
 {
     const label body = mine()[i];
-    const numbers& x = capsules_[i].x;
-    vectorField points(markers_->size());
-    markers_->values(x.data(), points.data());
-    const boundBox bounds(points, false);
+    const boundBox bounds(capsules_[i].markers, false);
     const vector length(scene_.grid.length());
     for (direction d = 0; d < 3; ++d)
     {

@@ -13,8 +13,7 @@ void Foam::capsuleGroup::markers(vector* X, scalar)
 {
     for (const capsule& c : capsules_)
     {
-        markers_->values(c.x.data(), X);
-        X += markers_->size();
+        X = std::copy(c.markers.begin(), c.markers.end(), X);
     }
 }
 
@@ -37,29 +36,31 @@ void Foam::capsuleGroup::load(const numbers& x, numbers& q) const
     }
 }
 
-Foam::bodyPoints Foam::capsuleGroup::pointsOf(const label body,
-                                              const numbers& x,
-                                              const numbers& velocity) const
+Foam::bodyPoints Foam::capsuleGroup::points(const label i) const
 {
     const label n = markers_->size();
     bodyPoints p{name(),
-                 body,
+                 i < 0 ? -1 : mine()[i],
                  vectorField(n),
-                 vectorField(n),
+                 vectorField(n, Zero),
                  vectorField(n),
                  scalarField(),
                  0,
                  membrane_->model().shearModulus()};
-    markers_->values(x.data(), p.places.data());
-    markers_->values(velocity.data(), p.velocities.data());
-    markers_->areas(x.data(), p.areas.data());
+    if (i < 0)
+    {
+        markers_->values(initial_.data(), p.places.data());
+        markers_->areas(initial_.data(), p.areas.data());
+        return p;
+    }
+    const capsule& c = capsules_[i];
+    p.places = c.markersMid;
+    markers_->areas(c.xMid.data(), p.areas.data());
+    if (c.lastDeltaT > 0)
+    {
+        p.velocities = 2 / c.lastDeltaT * (c.markers - c.markersMid);
+    }
     return p;
-}
-
-Foam::bodyPoints Foam::capsuleGroup::points(const label i) const
-{
-    if (i < 0) return pointsOf(-1, initial_, numbers(initial_.size(), 0));
-    return pointsOf(mine()[i], capsules_[i].xMid, capsules_[i].velocity);
 }
 
 void Foam::capsuleGroup::loads(vector* X, vector* F, const scalar time)
@@ -69,7 +70,7 @@ void Foam::capsuleGroup::loads(vector* X, vector* F, const scalar time)
     forAll(mine(), i)
     {
         capsule& c = capsules_[i];
-        markers_->values(c.xMid.data(), X);
+        std::copy(c.markersMid.begin(), c.markersMid.end(), X);
         forcesOnFluid(i, time, F);
         if (nearField_) loadOnFluid(F, c.onFluid);
         X += n;

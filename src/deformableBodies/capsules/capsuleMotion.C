@@ -119,7 +119,7 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
         never = "coupling oneWay: no load acts on the fluid";
     else if (dict.getOrDefault<word>("motion", "auto") == "penalty")
         never = "motion penalty";
-    const nearFieldEntry entry(readNearField(dict, never));
+    const nearFieldEntry entry(readNearField(dict, never, errorOfCells(false)));
 
     // Where it is not known to be better
     const scalar stiffness = max(membrane_->model().shearModulus(),
@@ -235,7 +235,7 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
         if (!wrong.empty())
         {
             trouble = nameOf(i) + ": " + wrong;
-            c.xMid = c.x;
+            startAt(c);
             continue;
         }
         if (penalty_)
@@ -250,16 +250,32 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
             load(elastic, c.load);
             penalty_->apply(c.lag, c.lagBefore, c.load, dt, r);
         }
-        for (size_t j = 0; j < g.size(); ++j)
-        {
-            c.xMid[j] = 0.5 * (c.x[j] + coeffs_[j]);
-        }
         if (stabilised_) c.previous = c.x;
-        c.x = coeffs_;
+        moveTo(c, coeffs_);
         c.velocity = velocity;
         c.lastDeltaT = dt;
     }
     return trouble;
+}
+
+void Foam::capsuleGroup::startAt(capsule& c) const
+{
+    c.xMid = c.x;
+    c.markers.setSize(markers_->size());
+    markers_->values(c.x.data(), c.markers.data());
+    c.markersMid = c.markers;
+}
+
+void Foam::capsuleGroup::moveTo(capsule& c, const numbers& x) const
+{
+    for (size_t j = 0; j < x.size(); ++j)
+    {
+        c.xMid[j] = 0.5 * (c.x[j] + x[j]);
+    }
+    c.x = x;
+    c.markersMid = c.markers;
+    markers_->values(c.x.data(), c.markers.data());
+    c.markersMid = 0.5 * (c.markersMid + c.markers);
 }
 
 Foam::string Foam::capsuleGroup::check(const numbers& x) const

@@ -251,5 +251,5 @@ void Foam::capsuleGroup::setState(const label i, const scalarList& state,
     read(parts & 2, bool(penalty_), c.lag);
     read(parts & 2, bool(penalty_), c.lagBefore);
     read(parts & 4, bool(nearField_), c.onFluid);
-    c.xMid = c.x;
+    startAt(c);
 }

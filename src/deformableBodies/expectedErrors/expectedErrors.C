@@ -69,17 +69,19 @@ Foam::expectedError Foam::ofForcing(const scalar nu, const scalar deltaT,
         return "once steady; a force lags by " +
                Foam::name(step * max(scalar(1), 15 * number(step))) + " s";
     };
+    const auto error = [=](const scalar step)
+    { return number(step) <= 10 ? 8e-4 * number(step) : -1; };
     const bool fixed = deltaT > 0 && deltaT < GREAT;
-    if (fixed && number(deltaT) <= 10)
-        return {"step", 8e-4 * number(deltaT), lag(deltaT), nullptr, largest,
-                lag};
     return {"step",
-            -1,
-            fixed ? "nu deltaT/h^2 = " + Foam::name(number(deltaT)) +
-                        ", measured up to 10"
-                  : string("deltaT is adjusted"),
+            fixed ? error(deltaT) : -1,
+            !fixed ? string("deltaT is adjusted")
+            : error(deltaT) < 0
+                ? "nu deltaT/h^2 = " + Foam::name(number(deltaT)) +
+                      ", measured up to 10"
+                : lag(deltaT),
             nullptr,
             largest,
+            error,
             lag};
 }
 
@@ -100,7 +102,7 @@ Foam::scalar Foam::stepFor(expectedErrors& group, const scalar wanted)
     const scalar deltaT = step->deltaT(left);
     if (step->error < 0 || step->error > left)
     {
-        step->error = left;
+        step->error = step->errorOf(deltaT);
         step->by = "deltaT adjusted, at most " + Foam::name(deltaT) + " s" +
                    (step->ofDeltaT ? "; " + step->ofDeltaT(deltaT) : string());
     }

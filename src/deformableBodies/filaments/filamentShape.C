@@ -76,10 +76,10 @@ std::vector<Foam::errorIndicator> Foam::filamentGroup::indicators() const
     std::vector<errorIndicator> all(
         {{"1 - cosine of the angle between segments", bend, 0.05,
           "entry segments to more"},
-         {"change of length", length, 1e-3, "deltaT to less"}});
+         {"change of length", length, 1e-3, smallerSteps()}});
     if (twoWay())
     {
-        all.push_back({"slip over speed", slip, 0.05, "deltaT to less"});
+        all.push_back({"slip over speed", slip, 0.05, smallerSteps()});
     }
     return all;
 }

@@ -110,7 +110,8 @@ void Foam::rigidGroup::judgeSize(const dictionary& dict) const
 void Foam::rigidGroup::setNearField(const dictionary& dict,
                                     const scalar spacing)
 {
-    const nearFieldEntry entry(readNearField(dict, ""));
+    const nearFieldEntry entry(
+        readNearField(dict, "", densityRatio_ < 1 ? -1 : errorOfCells(false)));
     const bool on = entry.whyNot.empty();
     if (on)
     {

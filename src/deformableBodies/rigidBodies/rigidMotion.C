@@ -268,15 +268,19 @@ Foam::string Foam::rigidGroup::describe(const flowScales& flow) const
 }
 
 // Measured on spheres in a periodic box and in shear (tests/validation/rigidSphere)
+Foam::scalar Foam::rigidGroup::errorOfCells(const bool nearField) const
+{
+    const scalar radius = shape_.radius() / h_;
+    if (radius < 3 * (1 - 1e-6) || !isSphere()) return -1;
+    return nearField ? 0.003 * sqr(3 / radius) : 0.064 / radius;
+}
+
 Foam::expectedErrors Foam::rigidGroup::errors(const flowScales&) const
 {
     expectedErrors e{name(), "drag", {}};
     const scalar radius = shape_.radius() / h_;
     e.parts.push_back(
-        {"cells",
-         radius < 3 * (1 - 1e-6) || !isSphere() ? -1
-         : nearField_                           ? 0.003 * sqr(3 / radius)
-                                                : 0.064 / radius,
+        {"cells", errorOfCells(bool(nearField_)),
          "a/h " + Foam::name(radius) +
              (isSphere() ? "" : ", not measured on ellipsoids") +
              (nearField_ ? " with near field" : " without near field"),
@@ -305,7 +309,7 @@ std::vector<Foam::errorIndicator> Foam::rigidGroup::indicators() const
                                (6 * constant::mathematical::pi * scene_.mu * a);
         slip = max(slip, x.slip / max(max(speed, ofForce), VSMALL));
     }
-    return {{"slip over speed", slip, 0.05, "deltaT to less"}};
+    return {{"slip over speed", slip, 0.05, smallerSteps()}};
 }
 
 std::vector<Foam::bodyColumn> Foam::rigidGroup::columns() const

@@ -166,8 +166,7 @@ void Foam::bodyInteractions::act(closePairs& pairs,
         const auto timing(effects_.time(model.type()));
         model.add(pairs, points, F);
     }
-    pairs.addUp(scalarField(UList<scalar>(reinterpret_cast<scalar*>(F.data()),
-                                          3 * nHere)),
+    pairs.addUp(UList<scalar>(reinterpret_cast<scalar*>(F.data()), 3 * nHere),
                 3, reinterpret_cast<scalar*>(F_.F.data()));
 }
 

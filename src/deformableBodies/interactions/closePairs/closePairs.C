@@ -52,24 +52,22 @@ void eachNear(const Cluster& p, const Cluster& q, const double range,
 {
     const auto all = [](const double* values)
     { return Eigen::Map<const eight>(values); };
-    // Columns of what they are too far apart by, all before the first is looked at
-    constexpr label n = closePairs::nParts;
-    Eigen::Array<double, n, n> beyond;
-    eight least(eight::Constant(GREAT));
+    // What they are too far apart by: those of p and all of q, then one and each of q
+    const eight beyondAll(square(eight(all(p.x[0]) - q.centre.x()),
+                                 eight(all(p.x[1]) - q.centre.y()),
+                                 eight(all(p.x[2]) - q.centre.z())) -
+                          (range + all(p.r) + q.radius).square());
     for (label i = 0; i < p.size; ++i)
     {
-        beyond.col(i) = square(eight(p.x[0][i] - all(q.x[0])),
-                               eight(p.x[1][i] - all(q.x[1])),
-                               eight(p.x[2][i] - all(q.x[2]))) -
-                        (range + p.r[i] + all(q.r)).square();
-        least = least.min(beyond.col(i));
-    }
-    if (!(least.minCoeff() < 0)) return;
-    for (label i = 0; i < p.size; ++i)
-    {
+        if (!(beyondAll[i] < 0)) continue;
+        const eight beyond(square(eight(p.x[0][i] - all(q.x[0])),
+                                  eight(p.x[1][i] - all(q.x[1])),
+                                  eight(p.x[2][i] - all(q.x[2]))) -
+                           (range + p.r[i] + all(q.r)).square());
+        if (!(beyond.minCoeff() < 0)) continue;
         for (label j = 0; j < q.size; ++j)
         {
-            if (beyond(j, i) < 0) visit(i, j);
+            if (beyond[j] < 0) visit(i, j);
         }
     }
 }
@@ -382,7 +380,7 @@ Foam::scalarField Foam::closePairs::handOut(const scalar* own,
     return here;
 }
 
-void Foam::closePairs::addUp(const scalarField& here, const label n,
+void Foam::closePairs::addUp(const UList<scalar>& here, const label n,
                              scalar* own) const
 {
     if (!Pstream::parRun())

@@ -19,7 +19,8 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
     if (scene.softest == 0)
     {
         refuse(dict.parent(), "repulsion", "{...}",
-               "scenes with capsules that act on the fluid");
+               "scenes with capsules or rigid bodies that act on the fluid; "
+               "between fibres collision and lubrication act");
     }
     scalar strength = 5 * scene.softest;
     string reason("5 Gs/a");
