@@ -71,14 +71,16 @@ def limitOf(name, levels):
         h = [x if name in finerDown else 1 / x for x in numbers[-3:]]
         d1, d2 = levels[-3][1] - levels[-2][1], levels[-2][1] - fine
         if d2 != 0 and d1 / d2 > 1:
-            # d1/d2 = (h0^p - h1^p)/(h1^p - h2^p) by bisection
+            # d1/d2 = (h0^p - h1^p)/(h1^p - h2^p) by bisection; an order larger than of
+            # any of the methods is chance, or too coarse a first value
             f = lambda p: (h[0]**p - h[1]**p) / (h[1]**p - h[2]**p) - d1 / d2
-            # A larger order than of any of the methods is chance
             low, high = 0.3, 3.0
-            if f(low) * f(high) < 0:
+            if f(high) <= 0:
+                return fine, abs(d1) * h[2]**high / (h[0]**high - h[1]**high), "the finest, order 3 or more"
+            if f(low) < 0:
                 for _ in range(80):
                     middle = 0.5 * (low + high)
-                    low, high = (middle, high) if f(low) * f(middle) > 0 else (low, middle)
+                    low, high = (middle, high) if f(middle) < 0 else (low, middle)
                 p = 0.5 * (low + high)
                 limit = fine - d2 * h[2]**p / (h[1]**p - h[2]**p)
                 return limit, abs(limit - fine), "Richardson, order %.1f" % p
@@ -231,7 +233,9 @@ def draw(file, base, limits, rows, scale):
     figure, axis = plt.subplots(figsize=(7, 5), constrained_layout=True)
     for name, (limit, _, how, levels) in limits.items():
         own = [r for r in rows if r[0] == name and r[3] > 0]
-        axis.loglog([r[4] for r in own], [max(r[3], 1e-8) for r in own], "o-", label="%s (%s)" % (name, how))
+        line, = axis.loglog([r[4] for r in own], [max(r[3], 1e-8) for r in own], "o-", label="%s (%s)" % (name, how))
+        if own and own[-1][1] == levels[-1][0] and not how.startswith("taken"):
+            axis.plot(own[-1][4], max(own[-1][3], 1e-8), "o", color=line.get_color(), mfc="white")
         for r in own:
             axis.annotate(r[1], (r[4], max(r[3], 1e-8)), textcoords="offset points", xytext=(4, 4), fontsize=8)
     front, least = [], math.inf
@@ -245,7 +249,9 @@ def draw(file, base, limits, rows, scale):
               color="0.4", rotation=90, ha="right", va="top")
     axis.set(xlabel="core seconds of the run", ylabel="error of %s from this setting alone" % base["quantity"])
     axis.grid(alpha=0.3)
-    axis.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1, 1))
+    axis.margins(0.08)
+    axis.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1, 1), title_fontsize=8,
+                title="hollow: the finest value, its error is how sure the limit is")
     figure.savefig(file, dpi=100)
 
 

@@ -12,7 +12,7 @@ figure, axes = plt.subplots(3, 3, figsize=(15, 12), constrained_layout=True)
 text = ["""# What accuracy costs
 
 Made by `tests/bench/accuracyAndCost`, which runs `bin/accuracyCost` on tutorials with other settings; your own case takes the same command. Of each setting that is varied the error is what the
-quantity at the end differs from the setting's own limit (Richardson's value or the finest, as written). Errors of different settings add up. Core seconds are those of the run on one core of a busy
+quantity at the end differs from the setting's own limit (Richardson's value or the finest, as written; that of the finest, hollow in the picture, is how sure the limit is). Errors of different settings add up. Core seconds are those of the run on one core of a busy
 machine: compare them with each other.
 
 Errors of the cells against values that no mesh has touched, boundary integrals, are in [accuracy.csv](accuracy.csv) and in the picture of the README (`tests/bench/accuracy`); what a run
@@ -38,7 +38,9 @@ for (name, title, command), axis in zip(scenes, axes.flat):
     for setting in dict.fromkeys(r[0] for r in own if r[0] != "base"):
         mine = [r for r in own if r[0] == setting and float(r[3]) > 0]
         x, y = [float(r[4]) for r in mine], [max(1e2 * float(r[3]), 1e-4) for r in mine]
-        axis.loglog(x, y, "o-", label=setting, markersize=4)
+        line, = axis.loglog(x, y, "o-", label=setting, markersize=4)
+        if not mine[-1][5].startswith("taken"):
+            axis.plot(x[-1:], y[-1:], "o", color=line.get_color(), mfc="white", markersize=4)
         for r, a, b in zip(mine, x, y):
             axis.annotate(r[1], (a, b), textcoords="offset points", xytext=(3, 3), fontsize=7)
     axis.axvline(float(own[0][4]), color="0.8", lw=1, zorder=0)
