@@ -131,7 +131,10 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
     // Adjusted steps keep to the limit of explicit motion
     const membraneModel& law = membrane_->model();
     const scalar rate = flow.rate;
-    const scalar dt = scene_.deltaT < GREAT ? scene_.deltaT : maxDeltaT_;
+    const scalar dt = !scene_.adjusted    ? scene_.deltaT
+                      : scene_.deltaT > 0 ? min(scene_.deltaT, maxDeltaT_)
+                      : scene_.accuracy.wanted > 0 ? GREAT // stepFor() chooses
+                                                   : maxDeltaT_;
     const bool stiffArea =
         stabilised_ && law.areaModulus() > 4 * law.shearModulus();
     const bool known = rate > 0 && dt > 0 && dt < GREAT && !stiffArea;

@@ -60,7 +60,7 @@ Foam::expectedError Foam::ofForcing(const scalar nu, const scalar deltaT,
     const auto number = [=](const scalar step) { return nu * step / sqr(h); };
     const auto largest = [=](const scalar error)
     {
-        const scalar late = error * duration;
+        const scalar late = duration > 0 ? error * duration : GREAT;
         return min(min(scalar(10), error / 8e-4) / number(1),
                    min(late, std::sqrt(late / (15 * number(1)))));
     };
@@ -88,16 +88,17 @@ Foam::expectedError Foam::ofForcing(const scalar nu, const scalar deltaT,
 Foam::scalar Foam::stepFor(expectedErrors& group, const scalar wanted)
 {
     expectedError* step = nullptr;
-    scalar left = wanted;
+    scalar left = wanted, most = wanted;
     for (expectedError& part : group.parts)
     {
         if (part.deltaT)
             step = &part;
         else if (part.error < 0)
-            return GREAT;
+            most = 0.5 * wanted;
         else
             left -= part.error;
     }
+    left = min(left, most);
     if (!step || left <= 0) return GREAT;
     const scalar deltaT = step->deltaT(left);
     if (step->error < 0 || step->error > left)
