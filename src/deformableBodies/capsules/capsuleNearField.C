@@ -4,36 +4,38 @@
 #include "mathematicalConstants.H"
 #include <cmath>
 
-namespace
-{
-Foam::label latitudes(const Foam::scalar cells)
-{
-    return std::ceil(Foam::constant::mathematical::pi * cells / 1.4);
-}
-} // namespace
+using Foam::constant::mathematical::pi;
 
 Foam::capsuleNearField::capsuleNearField(const label degree,
                                          const deltaKernel::kernelType kernel,
                                          const scalar h, const scalar mu,
-                                         const scalar radius,
+                                         const scalar extent,
                                          const label nTheta)
-    : points_(degree, nTheta ? nTheta : max(label(14), latitudes(radius / h))),
-      sum_(kernel, h, mu,
-           max(h, 1.5 * constant::mathematical::pi * radius / grid().nTheta())),
-      taper_(grid().nCoeffs())
+    : extent_(extent)
 {
+    const auto make = [&](const label latitudes)
+    {
+        const surfacePoints points(degree, latitudes);
+        const scalar spacing = pi * extent / points.grid().nTheta();
+        return new pointSum{points,
+                            nearField(kernel, h, mu, max(h, 1.4 * spacing))};
+    };
+    const label byCells = std::ceil(pi * extent / (1.4 * h));
+    usual_.reset(make(nTheta ? nTheta : max(label(12), byCells)));
+    if (!nTheta && byCells < 16) stretched_.reset(make(16));
+    taper_.resize(harmonics().nCoeffs());
     setTaper(8);
 }
 
 void Foam::capsuleNearField::setTaper(const scalar degree)
 {
-    for (label n = 0; n <= grid().degree(); ++n)
+    const sphericalHarmonics& grid = harmonics();
+    for (label n = 0; n <= grid.degree(); ++n)
     {
         for (label m = 0; m <= n; ++m)
         {
-            taper_[grid().index(n, m, false)] =
-                taper_[grid().index(n, m, m > 0)] =
-                    std::exp(-std::pow(n / degree, 8));
+            taper_[grid.index(n, m, false)] = taper_[grid.index(n, m, m > 0)] =
+                std::exp(-std::pow(n / degree, 8));
         }
     }
 }
@@ -41,23 +43,48 @@ void Foam::capsuleNearField::setTaper(const scalar degree)
 void Foam::capsuleNearField::add(const double* x, const double* load,
                                  double* velocity) const
 {
-    const label n = nPoints(), nCoeffs = 3 * grid().nCoeffs();
+    const label nCoeffs = 3 * harmonics().nCoeffs();
+    const pointSum* used = usual_.get();
+    std::vector<vector> X(used->points.size());
+    used->points.values(x, X.data());
+    if (stretched_)
+    {
+        vector mean(Zero);
+        for (size_t k = 0; k < X.size(); ++k)
+        {
+            mean += used->points.weight(k) / (4 * pi) * X[k];
+        }
+        scalar longest = 0;
+        for (const vector& p : X)
+        {
+            longest = max(longest, magSqr(p - mean));
+        }
+
+        if (longest > sqr(1.7 * extent_))
+        {
+            used = stretched_.get();
+            X.resize(used->points.size());
+            used->points.values(x, X.data());
+        }
+    }
+    const surfacePoints& points = used->points;
+    const label n = points.size();
+
     std::vector<double> coeffs(nCoeffs);
-    std::vector<vector> X(n), F(n), u(n);
-    points_.values(x, X.data());
+    std::vector<vector> F(n), u(n);
     for (label i = 0; i < nCoeffs; ++i)
     {
         coeffs[i] = taper_[i / 3] * load[i];
     }
-    points_.values(coeffs.data(), F.data());
+    points.values(coeffs.data(), F.data());
     for (label k = 0; k < n; ++k)
     {
-        F[k] *= points_.weight(k);
+        F[k] *= points.weight(k);
     }
 
-    sum_.velocity(X.data(), F.data(), n, u.data());
+    used->sum.velocity(X.data(), F.data(), n, u.data());
 
-    points_.analysis(u.data(), coeffs.data());
+    points.analysis(u.data(), coeffs.data());
     for (label i = 0; i < nCoeffs; ++i)
     {
         velocity[i] += taper_[i / 3] * coeffs[i];

@@ -120,7 +120,7 @@ TEST(CapsuleNearField, DISABLED_cost)
             const double sum =
                 least([&]() { near.add(x.data(), q.data(), u.data()); });
             std::printf("    %2d  %3d  %6d  %10.0f  %8.0f\n", N, cells,
-                        near.grid().nPoints(), sum, load);
+                        near.nPoints(), sum, load);
         }
     }
 }
