@@ -109,6 +109,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
         const dictionary nuclei(nucleiOf(group, groups_[host]));
         bodyScene within(scene);
         within.mu *= groups_[host].viscosityRatio();
+        within.insideBodies = true;
         groups_.append(bodyGroup::New(inside, nuclei, within).ptr());
         groups_.last().putInto(host, groups_[host]);
         given_.append(entriesOf(nuclei, {"type", "positions"}));

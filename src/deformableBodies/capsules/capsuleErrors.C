@@ -22,10 +22,10 @@ Foam::scalar ofStep(const Foam::scalar step)
 // From here on the laws hold
 const Foam::scalar leastRadius = 3;
 
-// Of a sphere, by the smoothing of the kernel
+// Of a sphere, by the smoothing of the kernel; the largest, of stiff capsules
 Foam::scalar ofCells(const Foam::scalar radius)
 {
-    return 0.08 * std::pow(4 / radius, 1.3);
+    return 0.12 * std::pow(4 / radius, 1.3);
 }
 
 // Of markers that are so many cells apart where the shape is stretched by a quarter;
@@ -46,7 +46,7 @@ Foam::string number(const Foam::scalar x)
 
 Foam::label Foam::capsuleGroup::enoughHarmonics(const scalar error) const
 {
-    label degree = round_ && !nucleated_ ? 5 : 12;
+    label degree = isMeasured() ? 5 : 12;
     while (ofHarmonics(degree) > error)
         ++degree;
     return degree;
@@ -60,9 +60,9 @@ Foam::scalar Foam::capsuleGroup::enoughMarkers(const scalar error) const
 Foam::scalar Foam::capsuleGroup::errorOfCells(const bool nearField) const
 {
     const scalar radius = radius_ / cmptMax(scene_.grid.h());
-    if (!scene_.forceAtFaces || !round_ || nucleated_ ||
+    if (!scene_.forceAtFaces || !isMeasured() ||
         radius < leastRadius * (1 - 1e-6) ||
-        !(nearField ? nearFieldKnown_ : viscosityRatio_ == 1))
+        !(nearField ? nearFieldKnown_ : sphere_ && viscosityRatio_ == 1))
     {
         return -1;
     }
@@ -85,6 +85,8 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
             by += ", not measured on such shapes";
         else if (nucleated_)
             by += ", not measured with a nucleus";
+        else if (scene_.insideBodies)
+            by += ", not measured inside a capsule";
         else if (radius < leastRadius * (1 - 1e-6))
             by += ", not measured below " + number(leastRadius);
         else if (nearField_)
@@ -94,7 +96,8 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
         }
         else
         {
-            by += " without near field";
+            by += string(sphere_ ? "" : ", measured on spheres only") +
+                  " without near field";
             remedy = [this](const scalar left)
             {
                 scalar cells = leastRadius;
@@ -107,8 +110,7 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
             {"cells", errorOfCells(bool(nearField_)), by, remedy});
     }
     const label degree = harmonics().degree();
-    e.parts.push_back({"harmonics",
-                       round_ && !nucleated_ ? ofHarmonics(degree) : -1,
+    e.parts.push_back({"harmonics", isMeasured() ? ofHarmonics(degree) : -1,
                        "N = " + Foam::name(degree),
                        [=](const scalar left)
                        {
@@ -123,18 +125,19 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
                        {
                            const scalar enough = enoughMarkers(left);
                            return enough < markerSpacing_ &&
-                                          ofMarkers(enough) <= left
+                                          ofMarkers(enough) <= left * (1 + 1e-9)
                                       ? "markerSpacing " + atMost(enough)
                                       : string();
                        }});
 
-    // Adjusted steps keep to the limit of explicit motion
+    // Adjusted steps of deformableBodyFoam keep to the limit of explicit motion
     const membraneModel& law = membrane_->model();
     const scalar rate = flow.rate;
-    const scalar dt = !scene_.adjusted    ? scene_.deltaT
-                      : scene_.deltaT > 0 ? min(scene_.deltaT, maxDeltaT_)
+    const scalar limit = twoWay() && scene_.forceAtFaces ? maxDeltaT_ : GREAT;
+    const scalar dt = !scene_.adjusted             ? scene_.deltaT
+                      : scene_.deltaT > 0          ? min(scene_.deltaT, limit)
                       : scene_.accuracy.wanted > 0 ? GREAT // stepFor() chooses
-                                                   : maxDeltaT_;
+                                                   : limit;
     const bool stiffArea =
         stabilised_ && law.areaModulus() > 4 * law.shearModulus();
     const bool known = rate > 0 && dt > 0 && dt < GREAT && !stiffArea;

@@ -38,7 +38,8 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     const dictionary& shape =
         readDict(dict, "shape", "type sphere; radius 1e-6;");
     const word form(shape.get<word>("type"));
-    round_ = form == "sphere" || form == "ellipsoid";
+    sphere_ = form == "sphere";
+    round_ = sphere_ || form == "ellipsoid";
     nucleated_ = dict.found("nucleus");
     const label moved = degreeOfMesh(shape);
     const label degree = dict.getOrDefault<label>(

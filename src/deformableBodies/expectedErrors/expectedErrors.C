@@ -70,7 +70,7 @@ Foam::expectedError Foam::ofForcing(const scalar nu, const scalar deltaT,
                Foam::name(step * max(scalar(1), 15 * number(step))) + " s";
     };
     const auto error = [=](const scalar step)
-    { return number(step) <= 10 ? 8e-4 * number(step) : -1; };
+    { return number(step) <= 10 * (1 + 1e-9) ? 8e-4 * number(step) : -1; };
     const bool fixed = deltaT > 0 && deltaT < GREAT;
     return {"step",
             fixed ? error(deltaT) : -1,

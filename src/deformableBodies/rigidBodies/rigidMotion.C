@@ -271,7 +271,8 @@ Foam::string Foam::rigidGroup::describe(const flowScales& flow) const
 Foam::scalar Foam::rigidGroup::errorOfCells(const bool nearField) const
 {
     const scalar radius = shape_.radius() / h_;
-    if (radius < 3 * (1 - 1e-6) || !isSphere()) return -1;
+    if (radius < 3 * (1 - 1e-6) || !isSphere() || scene_.insideBodies)
+        return -1;
     return nearField ? 0.003 * sqr(3 / radius) : 0.064 / radius;
 }
 
@@ -282,7 +283,9 @@ Foam::expectedErrors Foam::rigidGroup::errors(const flowScales&) const
     e.parts.push_back(
         {"cells", errorOfCells(bool(nearField_)),
          "a/h " + Foam::name(radius) +
-             (isSphere() ? "" : ", not measured on ellipsoids") +
+             (scene_.insideBodies ? ", not measured inside a capsule"
+              : isSphere()        ? ""
+                                  : ", not measured on ellipsoids") +
              (nearField_ ? " with near field" : " without near field"),
          [this](const scalar left) -> string
          {

@@ -48,19 +48,27 @@ direction axisOf(const vector& v)
 }
 } // namespace
 
+// In the file and by the entry in which OpenFOAM's own option keeps it
 struct Foam::flowSources::gradientOfRun : public regIOobject
 {
+    //- Along Ubar
     scalar value = 0;
 
+    //- Was the mean held in the last step?
+    bool held = false;
+
     gradientOfRun(const word& option, const fvMesh& mesh)
-        : regIOobject(IOobject(option, mesh.time().timeName(), "uniform", mesh,
-                               IOobject::NO_READ, IOobject::AUTO_WRITE))
+        : regIOobject(IOobject(option + "Properties", mesh.time().timeName(),
+                               "uniform", mesh, IOobject::NO_READ,
+                               IOobject::AUTO_WRITE))
     {
-        const IOobject io(option, mesh.time().timeName(), "uniform", mesh,
+        const IOobject io(name(), instance(), local(), mesh,
                           IOobject::MUST_READ, IOobject::NO_WRITE, false);
         if (isThere<IOdictionary>(io))
         {
-            value = IOdictionary(io).get<scalar>("gradient");
+            const IOdictionary dict(io);
+            value = dict.get<scalar>("gradient");
+            held = dict.getOrDefault<bool>("held", true);
         }
     }
 
@@ -73,6 +81,7 @@ struct Foam::flowSources::gradientOfRun : public regIOobject
     {
         const int precision = os.precision(17);
         os.writeEntry("gradient", value);
+        os.writeEntry("held", Switch(held));
         os.precision(precision);
         return os.good();
     }
@@ -230,11 +239,17 @@ void Foam::flowSources::add()
     // Options may be active for some time only
     if (held_ >= 0 && options_[held_].isActive())
     {
-        flow_.hold(axisOf(Ubar_), Ubar_[axisOf(Ubar_)], gradient_->value);
+        const direction d = axisOf(Ubar_);
+        flow_.hold(d, Ubar_[d], sign(Ubar_[d]) * gradient_->value);
     }
     else
     {
         flow_.release();
+        if (held_ >= 0)
+        {
+            gradient_->value = 0;
+            gradient_->held = false;
+        }
     }
     if (forcings_.empty() && explicit_.empty()) return;
 
@@ -255,7 +270,11 @@ void Foam::flowSources::add()
 void Foam::flowSources::report()
 {
     if (held_ < 0 || !options_[held_].isActive()) return;
-    gradient_->value = flow_.meanGradient();
+
+    // In its first step it has to bring the flow to this mean, once
+    gradient_->value =
+        gradient_->held ? sign(Ubar_[axisOf(Ubar_)]) * flow_.meanGradient() : 0;
+    gradient_->held = true;
     Info << "Pressure gradient source: uncorrected Ubar = "
          << flow_.meanBefore()
          << ", pressure gradient = " << flow_.meanGradient() << endl;
