@@ -32,7 +32,7 @@ import shutil
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
-from caseRuns import Failed, NotOfTheCase, Runs, atOneTime, change, clock, copyCase, die, guarded, percent, readOptions
+from caseRuns import Failed, NotOfTheCase, OutOfTime, Runs, atOneTime, change, clock, copyCase, die, guarded, percent, readOptions
 
 # Larger is finer, or smaller is; others are compared with the last value given
 finerUp = {"cells", "harmonics", "segments"}
@@ -76,7 +76,9 @@ def limitOf(name, levels):
             f = lambda p: (h[0]**p - h[1]**p) / (h[1]**p - h[2]**p) - d1 / d2
             low, high = 0.3, 3.0
             if f(high) <= 0:
-                return fine, abs(d1) * h[2]**high / (h[0]**high - h[1]**high), "the finest, order 3 or more"
+                # As sure as of second order, and no more than it changed last
+                sure = max(abs(d2), abs(d1) * h[2]**2 / (h[0]**2 - h[1]**2))
+                return fine, sure, "the finest, order 3 or more"
             if f(low) < 0:
                 for _ in range(80):
                     middle = 0.5 * (low + high)
@@ -148,13 +150,14 @@ def main():
     trial = os.path.join(options.out, "runs", "trial")
     for name, values in knobs.items():
         shutil.rmtree(trial, ignore_errors=True)
-        copyCase(case, trial)
-        try:
-            change(trial, name, values[0])
-        except Failed as e:
-            shutil.rmtree(trial)
-            die("%s%s" % (e, "; the time step is deltaT here" if name == "dt" else ""))
-    shutil.rmtree(trial)
+        for value in values:
+            copyCase(case, trial)
+            try:
+                change(trial, name, value)
+            except Failed as e:
+                die("%s%s" % (e, "; the time step is deltaT here" if name == "dt" else ""))
+            finally:
+                shutil.rmtree(trial)
 
     report(*one(jobs[0]))
     if "base" in failures:
@@ -192,11 +195,11 @@ def main():
     for name, (limit, sure, how, levels) in limits.items():
         print("    %-12s changes the case's value by %s up to its limit (%s, sure to %s)" % (
             name, percent(abs(base["value"] - limit) / scale), how, percent(sure / scale)))
-        choices = [("as it is", abs(base["value"] - limit) / scale, 1.0)]
+        # No value is better than the limit is sure: others agree with it by chance
+        errorOf = lambda value: max(abs(value - limit), sure) / scale
+        choices = [("as it is", errorOf(base["value"]), 1.0)]
         for v, r in levels:
-            error = abs(r["value"] - limit) / scale
-            # The finest is no better than the limit is sure
-            error = max(error, sure / scale) if v == levels[-1][0] else error
+            error = errorOf(r["value"])
             rows.append([name, v, r["value"], error, r["seconds"], how])
             choices.append((v, error, r["seconds"] / base["seconds"] if base["seconds"] > 0 else math.nan))
         options_.append([(name, *c) for c in choices])
@@ -221,7 +224,7 @@ def main():
     print("Written: %s/accuracyCost.csv and .png" % options.out)
     for label, why in failures.items():
         print("Not run: %s: %s" % (label, why), file=sys.stderr)
-    if any("budget" in str(why) for why in failures.values()):
+    if any(isinstance(why, OutOfTime) for why in failures.values()):
         print("The same command with a larger budget goes on from here", file=sys.stderr)
     sys.exit(2 if failures else 0)
 

@@ -31,12 +31,16 @@ class NotOfTheCase(Failed):
     """What was asked for is wrong, or too little time: the case may be right."""
 
 
+class OutOfTime(NotOfTheCase):
+    """The budget: the same command with a larger one goes on."""
+
+
 def percent(share):
     return "%.*f %%" % (0, 100 * share) if abs(share) >= 0.995 else "%.2g %%" % (100 * share)
 
 
 def seconds(text):
-    match = re.fullmatch(r"([0-9.]+) *(s|min|h)?", text)
+    match = re.fullmatch(r"([0-9]+\.?[0-9]*|\.[0-9]+) *(s|min|h)?", text)
     if not match or float(match[1]) <= 0:
         die("--budget is '%s', allowed: a time such as 90s, 30min or 2h" % text)
     return float(match[1]) * {"s": 1, None: 1, "min": 60, "h": 3600}[match[2]]
@@ -225,7 +229,7 @@ class Runs:
                     if os.path.exists(os.path.join(folder, needs))] + [solver]
         for program in programs:
             if self.left() <= 0:
-                raise NotOfTheCase("the budget is used up")
+                raise OutOfTime("the budget is used up")
             with open("%s/log.%s" % (folder, program), "w") as log:
                 process = subprocess.Popen([program], cwd=folder, stdout=log, stderr=log, start_new_session=True)
                 self.running.add(process)
@@ -234,7 +238,7 @@ class Runs:
                 except subprocess.TimeoutExpired:
                     os.killpg(process.pid, signal.SIGKILL)
                     process.wait()
-                    raise NotOfTheCase("the budget ended during this run")
+                    raise OutOfTime("the budget ended during this run")
                 finally:
                     self.running.discard(process)
             text = open(log.name).read()
@@ -243,14 +247,13 @@ class Runs:
                 raise Failed("%s stopped: %s (%s)" % (
                     program, "; ".join(filter(None, map(str.strip, found[1].splitlines()))) if found
                     else "status %d" % status, log.name))
-        found = self.read(folder)
         # In hundredths
         times = re.findall(r"ExecutionTime = ([0-9.]+) s", text)
         result = {"changes": changes, "case": self.fingerprint, "seconds": max(0.01, float(times[-1])) if times else math.nan}
         with open(record + ".part", "w") as f:
             json.dump(result, f)
         os.rename(record + ".part", record)
-        return dict(result, **found)
+        return dict(result, **self.read(folder))
 
 
 def atOneTime(results):

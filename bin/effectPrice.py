@@ -14,7 +14,7 @@ import os
 import re
 import sys
 import textwrap
-from caseRuns import Failed, NotOfTheCase, Runs, atOneTime, dictionary, die, guarded, percent, readOptions
+from caseRuns import Failed, NotOfTheCase, OutOfTime, Runs, atOneTime, dictionary, die, guarded, percent, readOptions
 
 bodiesFile = "constant/deformableBodies"
 
@@ -106,10 +106,14 @@ def main():
     print("Skipped, free: " + ", ".join(skipped) + "\n")
 
     print("%-40s %8s %8s %12s  %s changes" % ("without", "core s", "less by", "its clock", base["quantity"]))
-    rows, failed = [], 0
+    rows, failed, notRun = [], 0, ""
     for n, (effect, name, changes) in enumerate(todo):
         try:
             b, r = atOneTime([dict(base), runs.run("without " + name, changes)])
+        except OutOfTime as e:
+            notRun = ", ".join(name for _, name, _ in todo[n:])
+            print("Not run, %s: %s\nThe same command with a larger budget goes on from here" % (e, notRun), file=sys.stderr)
+            break
         except Failed as e:
             failed += 1
             print("%-40s cannot be left out: %s" % (name, textwrap.shorten(str(e), 300)), flush=True)
@@ -123,17 +127,17 @@ def main():
             "-" if own is None else "%.0f %%" % (100 * own / max(1e-9, sum(spent.values()))),
             percent(change), n + 1, len(todo)), flush=True)
     with open(options.out + "/effectPrice.csv", "w") as f:
-        out = csv.writer(f)
-        out.writerow(["without", "clockSeconds", "coreSeconds", "shareOfCost", base["quantity"], "change"])
-        out.writerow(["nothing", "", base["seconds"], 0, base["value"], 0])
-        out.writerows(rows)
+        lines = csv.writer(f)
+        lines.writerow(["without", "clockSeconds", "coreSeconds", "shareOfCost", base["quantity"], "change"])
+        lines.writerow(["nothing", "", base["seconds"], 0, base["value"], 0])
+        lines.writerows(rows)
     if base["seconds"] < 10:
         print("Short runs: what the run without an effect is shorter by, is known to tens of per cent only")
     small = [r for r in rows if r[1] and r[1] > 0.02 * sum(spent.values()) and abs(r[5]) < 1e-3]
     if small:
         print("\nCosts more than 2 % and changes less than 0.1 % by then: " + ", ".join(r[0] for r in small))
     print("Written: %s/effectPrice.csv" % options.out)
-    sys.exit(2 if failed == len(todo) and todo else 0)
+    sys.exit(2 if notRun or (failed == len(todo) and todo) else 0)
 
 
 guarded(main)

@@ -25,7 +25,7 @@ const Foam::scalar leastRadius = 3;
 // Of a sphere, by the smoothing of the kernel; the largest, of stiff capsules
 Foam::scalar ofCells(const Foam::scalar radius)
 {
-    return 0.12 * std::pow(4 / radius, 1.3);
+    return 0.115 * std::pow(4 / radius, 1.3);
 }
 
 // Of markers that are so many cells apart where the shape is stretched by a quarter;

@@ -12,7 +12,7 @@ namespace
 const double pi = Foam::constant::mathematical::pi;
 
 //- Points that the sum handles side by side
-constexpr int nLanes = 8;
+constexpr int nLanes = 16;
 using lanes = Eigen::Array<float, nLanes, 1>;
 using lanesAt = Eigen::Map<lanes>;
 using oneLane = Eigen::Array<float, 1, 1>;
