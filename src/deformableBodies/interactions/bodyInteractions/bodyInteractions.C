@@ -234,7 +234,7 @@ void Foam::bodyInteractions::compareBoxes()
             const label number = group.mine()[i];
             find_[firstBody_[g] + number] = bodies_.size();
             const bool mayFold = actsWithinLines() && !surfaces_[g];
-            bodies_.push_back({g, i, number, false,
+            bodies_.push_back({g, i, number, false, false,
                                mayFold && folded(group.points(i).places), 0,
                                0});
             boxes.append(group.bounds(i, false));
@@ -287,9 +287,9 @@ void Foam::bodyInteractions::compareBoxes()
     {
         vector inward;
         participant& p = bodies_[k];
-        p.near = p.folded || nearAny(k) ||
-                 toWall(boxes[k].min(), inward) < reach ||
-                 toWall(boxes[k].max(), inward) < reach;
+        p.nearWall = toWall(boxes[k].min(), inward) < reach ||
+                     toWall(boxes[k].max(), inward) < reach;
+        p.near = p.folded || p.nearWall || nearAny(k);
         anyNear_ = anyNear_ || p.near;
     }
     reduce(anyNear_, orOp<bool>());
@@ -306,12 +306,19 @@ void Foam::bodyInteractions::add(const label group, const label body,
                                  vectorField& F) const
 {
     const participant& p = bodies_[find_.at(firstBody_[group] + body)];
-    for (label k = p.first; k < p.first + p.size; ++k)
+    for (label i = 0; i < p.size; ++i)
     {
-        vector ahead(onward_[k] * F_.F[k]);
-        if (F_.arms.size()) ahead += part_[k] * F_.arms[k];
-        F[which_[k]] += F_.F[k] - ahead;
-        if (onward_[k] > 0) F[which_[k] + 1] += ahead;
+        const label k = p.first + i;
+        if (surfaces_[group])
+        {
+            F[order_[group][i]] += F_.F[k];
+            continue;
+        }
+        const partOfSegment& on = parts_[k - firstOfLines_];
+        vector ahead(on.onward * F_.F[k]);
+        if (F_.arms.size()) ahead += on.part * F_.arms[k];
+        F[on.segment] += F_.F[k] - ahead;
+        F[on.segment + 1] += ahead;
     }
 }
 

@@ -20,14 +20,11 @@ void Foam::bodyInteractions::update()
     power_ = 0;
     if (!anyNear_) return;
 
-    which_.clear();
-    onward_.clear();
-    part_.clear();
+    parts_.clear();
     along_.clear();
     X_.clear();
     V_.clear();
     points_.clear();
-    label nOfSurfaces = 0;
     for (const bool surfaces : {true, false})
     {
         for (participant& p : bodies_)
@@ -37,7 +34,7 @@ void Foam::bodyInteractions::update()
             if (p.near) collect(p);
             p.size = X_.size() - p.first;
         }
-        if (surfaces) nOfSurfaces = X_.size();
+        if (surfaces) firstOfLines_ = X_.size();
     }
 
     F_.F.setSize(X_.size());
@@ -46,7 +43,7 @@ void Foam::bodyInteractions::update()
     overlap deepest;
     if (surfacePairs_)
     {
-        act(*surfacePairs_, surfacePoints_, false, nOfSurfaces, deepest);
+        act(*surfacePairs_, surfacePoints_, false, firstOfLines_, deepest);
     }
     if (linePairs_)
     {
@@ -54,12 +51,13 @@ void Foam::bodyInteractions::update()
     }
     warnOf(deepest);
 
-    forAll(X_, k)
+    for (const participant& p : bodies_)
     {
-        vector inward;
-        const scalar distance = toWall(X_[k], inward);
-        if (distance < range_)
+        for (label k = p.first; p.nearWall && k < p.first + p.size; ++k)
         {
+            vector inward;
+            const scalar distance = toWall(X_[k], inward);
+            if (distance >= range_) continue;
             const scalar radius = points_[k].radius;
             for (const interactionModel& model : models_)
             {
@@ -67,6 +65,9 @@ void Foam::bodyInteractions::update()
                            points_[k].size * inward;
             }
         }
+    }
+    forAll(X_, k)
+    {
         power_ += F_.F[k] & V_[k];
     }
     work_ += time_.deltaTValue() * power_;
@@ -83,11 +84,6 @@ void Foam::bodyInteractions::collect(const participant& p)
     {
         const labelList& order = order_[p.group];
         const label first = X_.size(), n = order.size();
-        which_.append(order);
-        for (DynamicList<scalar>* values : {&onward_, &part_, &along_})
-        {
-            values->setSize(first + n, values == &along_ ? -1 : 0);
-        }
         for (DynamicList<vector>* values : {&X_, &V_})
         {
             values->setSize(first + n);
@@ -116,9 +112,7 @@ void Foam::bodyInteractions::collect(const participant& p)
         {
             point.size = length / parts * h;
             const scalar onward = (j + 0.5) / parts;
-            which_.append(k);
-            onward_.append(onward);
-            part_.append(scalar(1) / parts);
+            parts_.append({k, onward, scalar(1) / parts});
             along_.append(p.folded ? before + onward * length : -1);
             X_.append((1 - onward) * x[k] + onward * x[k + 1]);
             V_.append((1 - onward) * v[k] + onward * v[k + 1]);
@@ -142,7 +136,13 @@ void Foam::bodyInteractions::act(closePairs& pairs,
     }
     // Parts of a fibre that is not folded cannot come within range before the boxes are
     // compared again
-    pairs.search(SubList<vector>(X_, n), body, SubList<scalar>(along_, n),
+    scalarField along;
+    if (lines)
+    {
+        along.setSize(n, -1);
+        std::copy(along_.begin(), along_.end(), along.begin() + firstOfLines_);
+    }
+    pairs.search(SubList<vector>(X_, n), body, along,
                  2 * (pairs.range() + skin()));
     const label nHere = pairs.here().size();
     points.setSize(nHere);

@@ -81,12 +81,13 @@ void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
                 const scalar segments = x.size() - 1;
                 for (label k = p.first; k < p.first + p.size; ++k)
                 {
-                    const label at = which_[k];
+                    const partOfSegment& on = parts_[k - firstOfLines_];
+                    const label at = on.segment;
                     number[k] = k - p.first;
-                    along[k] = mag((at + onward_[k]) / segments - 0.5);
-                    element[k] = part_[k] * (x[at + 1] - x[at]);
-                    turn[k] = part_[k] * (v[at + 1] - v[at]);
-                    V[k] = v[at] + onward_[k] * (v[at + 1] - v[at]);
+                    along[k] = mag((at + on.onward) / segments - 0.5);
+                    element[k] = on.part * (x[at + 1] - x[at]);
+                    turn[k] = on.part * (v[at + 1] - v[at]);
+                    V[k] = v[at] + on.onward * (v[at + 1] - v[at]);
                 }
             }
             U += group.nMarkers() / n;

@@ -179,14 +179,14 @@ void Foam::closePairs::makePatches(const UList<vector>& X,
     X_ = X;
     body_ = body;
     along_ = along;
-    if (along_.empty()) along_ = scalarField(X.size(), -1);
     patches_.clear();
     for (label k = 0, n; k < X.size(); k += n)
     {
         n = 1;
         while (n < nParts && k + n < X.size() && body[k + n] == body[k])
             ++n;
-        patches_.emplace_back(k, n, &X[k], body[k], along_[k] >= 0, true);
+        patches_.emplace_back(k, n, &X[k], body[k],
+                              along_.size() && along_[k] >= 0, true);
     }
 }
 
@@ -206,7 +206,7 @@ void Foam::closePairs::exchangePatches()
         for (label k = p.first; k < p.first + p.size; ++k)
         {
             const scalar* const x = X_[k].cdata();
-            to[4 * (k - p.first) + 3] = along_[k];
+            to[4 * (k - p.first) + 3] = along_.size() ? along_[k] : -1;
             std::copy(x, x + 3, to + 4 * (k - p.first));
         }
         to += nNumbers;
