@@ -76,9 +76,8 @@ def limitOf(name, levels):
             f = lambda p: (h[0]**p - h[1]**p) / (h[1]**p - h[2]**p) - d1 / d2
             low, high = 0.3, 3.0
             if f(high) <= 0:
-                # As sure as of second order, and no more than it changed last
-                sure = max(abs(d2), abs(d1) * h[2]**2 / (h[0]**2 - h[1]**2))
-                return fine, sure, "the finest, order 3 or more"
+                # Then as sure as of second order
+                return fine, abs(d1) * h[2]**2 / (h[0]**2 - h[1]**2), "the finest, order 3 or more"
             if f(low) < 0:
                 for _ in range(80):
                     middle = 0.5 * (low + high)

@@ -157,15 +157,22 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
 
 void Foam::capsuleGroup::volumeGradient(const numbers& x, numbers& g) const
 {
+    membrane_->harmonics().gradient(x.data(), xt_.data(), xp_.data());
+    volumeGradient(xt_, xp_, g);
+}
+
+void Foam::capsuleGroup::volumeGradient(const numbers& xt, const numbers& xp,
+                                        numbers& g) const
+{
     const sphericalHarmonics& grid = membrane_->harmonics();
     const label n = grid.nPoints();
-    grid.gradient(x.data(), xt_.data(), xp_.data());
+    g.resize(coeffs_.size());
     for (label k = 0; k < n; ++k)
     {
         for (label c = 0; c < 3; ++c)
         {
             const label a = ((c + 1) % 3) * n + k, b = ((c + 2) % 3) * n + k;
-            onGrid_[c * n + k] = xt_[a] * xp_[b] - xt_[b] * xp_[a];
+            onGrid_[c * n + k] = xt[a] * xp[b] - xt[b] * xp[a];
         }
     }
     grid.analysis(onGrid_.data(), g.data());
@@ -177,7 +184,7 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
     const scalar dt = s.dt;
     const auto timing(scene_.effects.time("membrane"));
     const label n = markers_->size();
-    numbers velocity(coeffs_.size()), g(coeffs_.size());
+    numbers velocity(coeffs_.size());
     vectorField F(nearField_ ? n : 0);
     string trouble;
 
@@ -198,7 +205,7 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
 
         // Zero net flow through the membrane, int U.n dS = 0: the change of
         // the enclosed volume is g.v
-        volumeGradient(c.x, g);
+        const numbers& g = c.volumeGradient;
         double gv = 0, gg = 0;
         for (size_t j = 0; j < g.size(); ++j)
         {
@@ -229,7 +236,8 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
             coeffs_[j] *= filter_[j];
         }
 
-        // The last good state stays in place where the new one is none
+        // The last good state stays in place where the new one is none. What is
+        // checked has the derivatives on the grid
         const string wrong(finite ? check(coeffs_)
                                   : string("marker velocity is not finite"));
         if (!wrong.empty())
@@ -238,6 +246,8 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
             startAt(c);
             continue;
         }
+        volumeGradient(membrane_->xTheta(), membrane_->xPhi(),
+                       c.volumeGradient);
         if (penalty_)
         {
             const auto timing(scene_.effects.time("penalty"));
@@ -264,6 +274,7 @@ void Foam::capsuleGroup::startAt(capsule& c) const
     c.markers.setSize(markers_->size());
     markers_->values(c.x.data(), c.markers.data());
     c.markersMid = c.markers;
+    volumeGradient(c.x, c.volumeGradient);
 }
 
 void Foam::capsuleGroup::moveTo(capsule& c, const numbers& x) const
