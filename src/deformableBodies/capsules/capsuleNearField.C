@@ -18,7 +18,7 @@ Foam::capsuleNearField::capsuleNearField(const label degree,
         const surfacePoints points(degree, latitudes);
         const scalar spacing = pi * extent / points.grid().nTheta();
         return new pointSum{points,
-                            nearField(kernel, h, mu, max(h, 1.4 * spacing))};
+                            nearField(kernel, h, mu, max(h, 1.35 * spacing))};
     };
     const label byCells = std::ceil(pi * extent / (1.4 * h));
     usual_.reset(make(nTheta ? nTheta : max(label(12), byCells)));
