@@ -14,64 +14,92 @@ namespace
 {
 using namespace Foam;
 
-using eight = Eigen::Array<double, closePairs::nParts, 1>;
+using eight = Eigen::Array<float, closePairs::nParts, 1>;
 
-//- Squares of distances by nearest images, of one or of eight
-class nearestSquare
+//- Bit k: is number k of eight below 0?
+unsigned below(const eight& values)
 {
-    vector length_, perLength_; // no images where it is 0
-
-    static double nearest(const double x) { return std::rint(x); }
-    static eight nearest(const eight& x) { return x.rint(); }
-
-public:
-    explicit nearestSquare(const uniformGrid& grid)
-        : length_(grid.length()),
-          perLength_(Zero)
+    unsigned bits = 0;
+    for (label k = 0; k < closePairs::nParts; ++k)
     {
-        for (direction d = 0; d < 3; ++d)
-        {
-            if (grid.periodic(d)) perLength_[d] = 1 / length_[d];
-        }
+        bits |= unsigned(values[k] < 0) << k;
     }
+    return bits;
+}
 
-    template<class Number>
-    Number operator()(Number x, Number y, Number z) const
-    {
-        x -= length_.x() * nearest(Number(x * perLength_.x()));
-        y -= length_.y() * nearest(Number(y * perLength_.y()));
-        z -= length_.z() * nearest(Number(z * perLength_.z()));
-        return x * x + y * y + z * z;
-    }
-};
-
-//- visit(i, j) of the parts of two clusters whose spheres are within range
-template<class Cluster, class Visit>
-void eachNear(const Cluster& p, const Cluster& q, const double range,
-              const nearestSquare& square, Visit visit)
+//- Squares of distances by the nearest image (none where perLength is 0)
+eight nearestSquare(const float* length, const float* perLength, eight x,
+                    eight y, eight z)
 {
-    const auto all = [](const double* values)
+    x -= length[0] * eight(x * perLength[0]).rint();
+    y -= length[1] * eight(y * perLength[1]).rint();
+    z -= length[2] * eight(z * perLength[2]).rint();
+    return x * x + y * y + z * z;
+}
+} // namespace
+
+// Comparisons in loops of their own, without branches: followed up one by one they took
+// half as long again
+template<class Visit>
+void Foam::closePairs::eachNear(const std::vector<cluster>& clusters,
+                                std::vector<comparison>& twos, Visit visit)
+{
+    const auto all = [](const float* values)
     { return Eigen::Map<const eight>(values); };
-    // What they are too far apart by: those of p and all of q, then one and each of q
-    const eight beyondAll(square(eight(all(p.x[0]) - q.centre.x()),
-                                 eight(all(p.x[1]) - q.centre.y()),
-                                 eight(all(p.x[2]) - q.centre.z())) -
-                          (range + all(p.r) + q.radius).square());
-    for (label i = 0; i < p.size; ++i)
+    const auto away = [&](const cluster& p, const cluster& q, const direction d)
     {
-        if (!(beyondAll[i] < 0)) continue;
-        const eight beyond(square(eight(p.x[0][i] - all(q.x[0])),
-                                  eight(p.x[1][i] - all(q.x[1])),
-                                  eight(p.x[2][i] - all(q.x[2]))) -
-                           (range + p.r[i] + all(q.r)).square());
-        if (!(beyond.minCoeff() < 0)) continue;
-        for (label j = 0; j < q.size; ++j)
+        const scalar x = p.centre[d] - q.centre[d];
+        return float(x - grid_.length()[d] * std::rint(x * perLength_[d]));
+    };
+    const auto eachPart = [](const comparison& c, const auto& use)
+    {
+        for (unsigned bits = c.near; bits; bits &= bits - 1)
         {
-            if (beyond[j] < 0) visit(i, j);
+            use(label(__builtin_ctz(bits)));
         }
+    };
+
+    for (comparison& c : twos)
+    {
+        const cluster &p = clusters[c.first], &q = clusters[c.second];
+        c.near = p.present & below(nearestSquare(length_, perLength_,
+                                                 all(p.x[0]) + away(p, q, 0),
+                                                 all(p.x[1]) + away(p, q, 1),
+                                                 all(p.x[2]) + away(p, q, 2)) -
+                                   (all(p.r) + (reach_ + q.radius)).square());
+    }
+    ofParts_.clear();
+    for (const comparison& c : twos)
+    {
+        eachPart(c,
+                 [&](const label i) {
+                     ofParts_.push_back({c.first, c.second, i, 0});
+                 });
+    }
+    for (comparison& c : ofParts_)
+    {
+        const cluster &p = clusters[c.first], &q = clusters[c.second];
+        const label i = c.part;
+        c.near =
+            q.present &
+            below(nearestSquare(length_, perLength_,
+                                (p.x[0][i] + away(p, q, 0)) - all(q.x[0]),
+                                (p.x[1][i] + away(p, q, 1)) - all(q.x[1]),
+                                (p.x[2][i] + away(p, q, 2)) - all(q.x[2])) -
+                  (all(q.r) + (reach_ + p.r[i])).square());
+    }
+    for (const comparison& c : ofParts_)
+    {
+        eachPart(c,
+                 [&](const label j) {
+                     visit(c, clusters[c.first].first + c.part,
+                           clusters[c.second].first + j);
+                 });
     }
 }
 
+namespace
+{
 //- Order points so that their halves, of whole regions and patches, lie apart
 void halve(const UList<vector>& X, label* begin, label* end)
 {
@@ -108,67 +136,50 @@ Foam::labelList Foam::patchOrder(const UList<vector>& X)
     return order;
 }
 
+// Clusters are compared in single precision, what is then near also in double
 Foam::closePairs::closePairs(const uniformGrid& grid, const scalar range)
     : grid_(grid),
       range_(range),
       neighbours_(grid),
-      copies_(neighbours_)
-{
-}
-
-Foam::closePairs::cluster::cluster(const label start, const label n,
-                                   const vector* X, const label number,
-                                   const bool folds, const bool isHeld)
-    : first(start),
-      size(n),
-      body(number),
-      mayFold(folds),
-      held(isHeld)
-{
-    for (label k = 0; k < nParts; ++k)
-    {
-        const vector& at = X[min(k, n - 1)];
-        r[k] = 0;
-        for (direction d = 0; d < 3; ++d)
-        {
-            x[d][k] = at[d];
-        }
-    }
-    enclose();
-}
-
-Foam::closePairs::cluster::cluster(const label start, const label n,
-                                   const cluster* patches)
-    : first(start),
-      size(n),
-      body(patches->body),
-      mayFold(patches->mayFold),
-      held(true)
-{
-    for (label k = 0; k < nParts; ++k)
-    {
-        const cluster& p = patches[min(k, n - 1)];
-        r[k] = p.radius;
-        for (direction d = 0; d < 3; ++d)
-        {
-            x[d][k] = p.centre[d];
-        }
-    }
-    enclose();
-}
-
-void Foam::closePairs::cluster::enclose()
+      copies_(neighbours_),
+      reach_(range + 1e-6 * mag(grid.length()))
 {
     for (direction d = 0; d < 3; ++d)
     {
-        centre[d] = 0.5 * (*std::min_element(x[d], x[d] + nParts) +
-                           *std::max_element(x[d], x[d] + nParts));
+        length_[d] = grid.length()[d];
+        perLength_[d] = grid.periodic(d) ? 1 / length_[d] : 0;
     }
+}
+
+Foam::closePairs::cluster::cluster(const label start, const label n,
+                                   const label number, const bool folds,
+                                   const bool isHeld, const vector* places,
+                                   const scalar* radii)
+    : first(start),
+      size(n),
+      body(number),
+      present((1u << n) - 1),
+      mayFold(folds),
+      held(isHeld)
+{
+    vector lo(places[0]), hi(places[0]);
+    for (label k = 1; k < n; ++k)
+    {
+        lo = min(lo, places[k]);
+        hi = max(hi, places[k]);
+    }
+    centre = 0.5 * (lo + hi);
     radius = 0;
     for (label k = 0; k < nParts; ++k)
     {
-        const vector off(x[0][k], x[1][k], x[2][k]);
-        radius = max(radius, mag(off - centre) + r[k]);
+        const label i = min(k, n - 1);
+        const vector off(places[i] - centre);
+        for (direction d = 0; d < 3; ++d)
+        {
+            x[d][k] = off[d];
+        }
+        r[k] = radii ? radii[i] : 0;
+        radius = max(radius, float(mag(off)) + r[k]);
     }
 }
 
@@ -185,8 +196,8 @@ void Foam::closePairs::makePatches(const UList<vector>& X,
         n = 1;
         while (n < nParts && k + n < X.size() && body[k + n] == body[k])
             ++n;
-        patches_.emplace_back(k, n, &X[k], body[k],
-                              along_.size() && along_[k] >= 0, true);
+        patches_.emplace_back(k, n, body[k], along_.size() && along_[k] >= 0,
+                              true, &X[k]);
     }
 }
 
@@ -231,8 +242,8 @@ void Foam::closePairs::exchangePatches()
             along.append(from[4 * k + 3]);
             body.append(label(from[nNumbers - 2]));
         }
-        patches_.emplace_back(first, n, &X[first], body[first],
-                              along[first] >= 0, copies_.holds(i));
+        patches_.emplace_back(first, n, body[first], along[first] >= 0,
+                              copies_.holds(i), &X[first]);
     }
     X_ = X;
     body_ = body;
@@ -246,114 +257,123 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body,
     largest_ = 0;
     for (const cluster& p : patches_)
     {
-        largest_ = max(largest_, p.radius);
+        largest_ = max(largest_, scalar(p.radius));
     }
     if (Pstream::parRun()) exchangePatches();
     patchOf_.setSize(X_.size());
-    pairs_.clear();
+    provincePairs_.clear();
     for (size_t i = 0; i < patches_.size(); ++i)
     {
         const cluster& p = patches_[i];
         std::fill_n(patchOf_.begin() + p.first, p.size, label(i));
     }
+    gather(patches_, regions_);
+    gather(regions_, provinces_);
 
-    regions_.clear();
+    // In the order of their bins
+    const label n = provinces_.size();
     scalar reach = range_;
-    for (size_t i = 0, n; i < patches_.size(); i += n)
+    for (const cluster& p : provinces_)
     {
-        n = 1;
-        while (n < nParts && i + n < patches_.size() &&
-               patches_[i + n].body == patches_[i].body)
-            ++n;
-        regions_.emplace_back(label(i), label(n), &patches_[i]);
-        reach = max(reach, range_ + 2 * regions_.back().radius);
+        reach = max(reach, range_ + 2 * p.radius);
     }
-
-    // Their spheres in the order of their bins
-    struct sphere
+    const pointBins bins(grid_, reach, n);
+    labelList bin(n), begin(bins.count() + 1, Zero), sorted(n);
+    for (label i = 0; i < n; ++i)
     {
-        vector centre;
-        scalar radius;
-        label body, number;
-    };
-    const label nRegions = regions_.size();
-    const pointBins bins(grid_, reach, nRegions);
-    labelList bin(nRegions), begin(bins.count() + 1, Zero);
-    for (label i = 0; i < nRegions; ++i)
-    {
-        bin[i] = bins.numberOf(regions_[i].centre);
+        bin[i] = bins.numberOf(provinces_[i].centre);
         ++begin[bin[i] + 1];
     }
     for (label b = 0; b < bins.count(); ++b)
     {
         begin[b + 1] += begin[b];
     }
-    std::vector<sphere> sorted(nRegions);
     labelList next(begin);
-    for (label i = 0; i < nRegions; ++i)
+    for (label i = 0; i < n; ++i)
     {
-        const cluster& p = regions_[i];
-        sorted[next[bin[i]]++] = {p.centre, p.radius, p.body, i};
+        sorted[next[bin[i]]++] = i;
     }
 
     // Each with those in its bin and next to it, each two once
-    const nearestSquare square(grid_);
-    for (label i = 0; i < nRegions; ++i)
+    for (label i = 0; i < n; ++i)
     {
-        const cluster& p = regions_[i];
+        const cluster& p = provinces_[i];
         const auto compareWith = [&](const label other)
         {
             if (other < bin[i]) return;
             for (label s = begin[other]; s < begin[other + 1]; ++s)
             {
-                const sphere& q = sorted[s];
-                if ((other == bin[i] && q.number < i) ||
+                const cluster& q = provinces_[sorted[s]];
+                if ((other == bin[i] && sorted[s] < i) ||
                     (q.body == p.body && !p.mayFold) ||
                     (q.body < 0 && p.body < 0))
                 {
                     continue;
                 }
-                const vector r(p.centre - q.centre);
-                if (square(r.x(), r.y(), r.z()) <
-                    sqr(range_ + p.radius + q.radius))
+                if (magSqr(nearestImage(grid_, p.centre, q.centre)) <
+                    sqr(reach_ + p.radius + q.radius))
                 {
-                    compareRegions(p, regions_[q.number], apart);
+                    provincePairs_.push_back({i, sorted[s], 0, 0});
                 }
             }
         };
         bins.eachNext(bin[i], compareWith);
     }
-}
 
-void Foam::closePairs::compareRegions(const cluster& p, const cluster& q,
-                                      const scalar apart)
-{
-    eachNear(p, q, range_, nearestSquare(grid_),
-             [&](const label i, const label j)
+    // Each two once also within one
+    regionPairs_.clear();
+    eachNear(provinces_, provincePairs_,
+             [&](const comparison& c, const label a, const label b)
              {
-                 const label a = p.first + i, b = q.first + j;
-                 if (&p == &q && b <= a) return;
-                 if (patches_[a].held)
-                     comparePatches(patches_[a], patches_[b], apart);
-                 else if (patches_[b].held)
-                     comparePatches(patches_[b], patches_[a], apart);
+                 if (c.first != c.second || b >= a)
+                     regionPairs_.push_back({a, b, 0, 0});
              });
-}
-
-void Foam::closePairs::comparePatches(const cluster& p, const cluster& q,
-                                      const scalar apart)
-{
+    patchPairs_.clear();
+    eachNear(regions_, regionPairs_,
+             [&](const comparison& c, const label a, const label b)
+             {
+                 if (c.first == c.second && b <= a) return;
+                 if (patches_[a].held)
+                     patchPairs_.push_back({a, b, 0, 0});
+                 else if (patches_[b].held)
+                     patchPairs_.push_back({b, a, 0, 0});
+             });
+    pairs_.clear();
     eachNear(
-        p, q, range_, nearestSquare(grid_),
-        [&](const label i, const label j)
+        patches_, patchPairs_,
+        [&](const comparison& c, const label a, const label b)
         {
-            const label a = p.first + i, b = q.first + j;
-            if (p.body == q.body && mag(along_[a] - along_[b]) <= apart)
+            const vector r(nearestImage(grid_, X_[a], X_[b]));
+            if (magSqr(r) >= sqr(range_) ||
+                (body_[a] == body_[b] && mag(along_[a] - along_[b]) <= apart))
             {
                 return;
             }
-            pairs_.push_back({a, b, q.held, nearestImage(grid_, X_[a], X_[b])});
+            pairs_.push_back({a, b, patches_[c.second].held, r});
         });
+}
+
+void Foam::closePairs::gather(const std::vector<cluster>& parts,
+                              std::vector<cluster>& wholes)
+{
+    wholes.clear();
+    for (size_t i = 0; i < parts.size();)
+    {
+        const cluster& p = parts[i];
+        vector centres[nParts];
+        scalar radii[nParts];
+        label n = 0;
+        for (;
+             n < nParts && i + n < parts.size() && parts[i + n].body == p.body;
+             ++n)
+        {
+            centres[n] = parts[i + n].centre;
+            radii[n] = parts[i + n].radius;
+        }
+        wholes.emplace_back(label(i), n, p.body, p.mayFold, true, centres,
+                            radii);
+        i += n;
+    }
 }
 
 Foam::scalarField Foam::closePairs::handOut(const scalar* own,
