@@ -155,7 +155,7 @@ void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
                                 const label end, Visit visit) const
 {
     if (fields.empty()) return;
-    const label ahead = 6, most = weightBatch::n;
+    const label ahead = 20, most = weightBatch::n;
     for (label b = begin; b < end; b += most)
     {
         const label size = min(most, end - b);
@@ -181,11 +181,13 @@ void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
                     if (k + ahead < size)
                     {
                         const scalar* p = v.first[d] + at[k + ahead];
-                        for (int j = 0; j < n * n; ++j)
+                        for (int j = 0; j < n; ++j, p += layer)
                         {
-                            const scalar* r = p + j / n * layer + j % n * row;
-                            __builtin_prefetch(r);
-                            __builtin_prefetch(r + 3);
+                            for (int i = 0; i < n; ++i)
+                            {
+                                __builtin_prefetch(p + i * row);
+                                __builtin_prefetch(p + i * row + 3);
+                            }
                         }
                     }
                     if (k < 0) continue;
@@ -261,12 +263,12 @@ void Foam::markerSet::gatherWhole(const List<staggeredView>& u,
                      const scalar* wy, const scalar* wz)
                  {
                      fourValues sum = {};
-                     for (int z = 0; z < n; ++z)
+                     for (int z = 0; z < n; ++z, p += layer)
                      {
-                         fourValues ofLayer = {};
-                         for (int y = 0; y < n; ++y)
+                         fourValues ofLayer = wy[0] * fourAt(p);
+                         for (int y = 1; y < n; ++y)
                          {
-                             ofLayer += wy[y] * fourAt(p + z * layer + y * row);
+                             ofLayer += wy[y] * fourAt(p + y * row);
                          }
                          sum += wz[z] * ofLayer;
                      }
@@ -311,12 +313,12 @@ void Foam::markerSet::scatterWhole(const UList<vector>& F,
                      const scalar* wy, const scalar* wz)
                  {
                      const fourValues value = factor * F[marker][d] * wx;
-                     for (int z = 0; z < n; ++z)
+                     for (int z = 0; z < n; ++z, p += layer)
                      {
                          const fourValues ofLayer = wz[z] * value;
                          for (int y = 0; y < n; ++y)
                          {
-                             fourAt(p + z * layer + y * row) += wy[y] * ofLayer;
+                             fourAt(p + y * row) += wy[y] * ofLayer;
                          }
                      }
                  });
