@@ -195,7 +195,7 @@ void isMutual(const interactionModel& model, const scalar radius)
                  labelList(UIndirectList<label>(all.body, mine)));
     const label n = pairs.here().size();
     const List<interactingPoint> points(
-        n, interactingPoint{Zero, sqr(h), radius, 0});
+        n, interactingPoint{Zero, sqr(h), radius});
     vectorField there(n, Zero), F(mine.size(), Zero);
     model.add(pairs, points, there);
     pairs.addUp(scalarField(UList<scalar>(
@@ -274,7 +274,7 @@ TEST(ClosePairs, forceOfCrossingLines)
         pairs.search(X, body);
         const label n = X.size();
         const List<interactingPoint> points(
-            n, interactingPoint{Zero, spacing * h, radius, 0});
+            n, interactingPoint{Zero, spacing * h, radius});
         vectorField F(n, Zero);
         model.add(pairs, points, F);
         vector sum(Zero);

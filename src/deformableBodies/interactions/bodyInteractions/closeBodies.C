@@ -22,6 +22,7 @@ void Foam::bodyInteractions::update()
 
     parts_.clear();
     along_.clear();
+    body_.clear();
     X_.clear();
     V_.clear();
     points_.clear();
@@ -43,11 +44,20 @@ void Foam::bodyInteractions::update()
     overlap deepest;
     if (surfacePairs_)
     {
-        act(*surfacePairs_, surfacePoints_, false, firstOfLines_, deepest);
+        act(*surfacePairs_, SubList<label>(body_, firstOfLines_), {}, deepest);
     }
     if (linePairs_)
     {
-        act(*linePairs_, linePoints_, true, X_.size(), deepest);
+        // Pairs of surfaces have a list of their own. Parts of a fibre that is not folded
+        // cannot come within range before the boxes are compared again
+        labelList body(body_);
+        scalarField along(body.size(), -1);
+        for (label k = 0; k < firstOfLines_; ++k)
+        {
+            body[k] = -1 - body[k];
+        }
+        std::copy(along_.begin(), along_.end(), along.begin() + firstOfLines_);
+        linePoints_.shallowCopy(act(*linePairs_, body, along, deepest));
     }
     warnOf(deepest);
 
@@ -78,8 +88,8 @@ void Foam::bodyInteractions::collect(const participant& p)
     const bodyPoints points(groups_[p.group].points(p.place));
     const vectorField &x = points.places, &v = points.velocities;
     interactingPoint point{
-        Zero, 0, std::sqrt(points.crossSection / constant::mathematical::pi),
-        scalar(firstBody_[p.group] + p.number)};
+        Zero, 0, std::sqrt(points.crossSection / constant::mathematical::pi)};
+    const label body = firstBody_[p.group] + p.number;
     if (points.isSurface())
     {
         const labelList& order = order_[p.group];
@@ -89,6 +99,7 @@ void Foam::bodyInteractions::collect(const participant& p)
             values->setSize(first + n);
         }
         points_.setSize(first + n);
+        body_.setSize(first + n, body);
         forAll(order, i)
         {
             const label k = order[i];
@@ -117,47 +128,31 @@ void Foam::bodyInteractions::collect(const participant& p)
             X_.append((1 - onward) * x[k] + onward * x[k + 1]);
             V_.append((1 - onward) * v[k] + onward * v[k + 1]);
             points_.append(point);
+            body_.append(body);
         }
         before += length;
     }
 }
 
-void Foam::bodyInteractions::act(closePairs& pairs,
-                                 List<interactingPoint>& points,
-                                 const bool lines, const label n,
-                                 overlap& deepest)
+Foam::UList<Foam::interactingPoint>
+Foam::bodyInteractions::act(closePairs& pairs, const labelUList& body,
+                            const UList<scalar>& along, overlap& deepest)
 {
-    // Pairs of surfaces have a list of their own
-    labelList body(n);
-    forAll(body, k)
-    {
-        const label number = label(points_[k].body);
-        body[k] = lines && points_[k].radius == 0 ? -1 - number : number;
-    }
-    // Parts of a fibre that is not folded cannot come within range before the boxes are
-    // compared again
-    scalarField along;
-    if (lines)
-    {
-        along.setSize(n, -1);
-        std::copy(along_.begin(), along_.end(), along.begin() + firstOfLines_);
-    }
+    const label n = body.size();
     pairs.search(SubList<vector>(X_, n), body, along,
                  2 * (pairs.range() + skin()));
     const label nHere = pairs.here().size();
-    points.setSize(nHere);
     if (Pstream::parRun())
     {
+        copies_.setSize(nHere);
         const scalarField numbers(
             pairs.handOut(reinterpret_cast<const scalar*>(points_.cdata()),
                           sizeof(interactingPoint) / sizeof(scalar)));
         std::copy(numbers.begin(), numbers.end(),
-                  reinterpret_cast<scalar*>(points.data()));
+                  reinterpret_cast<scalar*>(copies_.data()));
     }
-    else
-    {
-        std::copy_n(points_.begin(), n, points.begin());
-    }
+    const UList<interactingPoint> points(
+        Pstream::parRun() ? copies_.data() : points_.data(), nHere);
     look(pairs, points, deepest);
 
     vectorField F(nHere, Zero);
@@ -168,6 +163,7 @@ void Foam::bodyInteractions::act(closePairs& pairs,
     }
     pairs.addUp(UList<scalar>(reinterpret_cast<scalar*>(F.data()), 3 * nHere),
                 3, reinterpret_cast<scalar*>(F_.F.data()));
+    return points;
 }
 
 void Foam::bodyInteractions::look(const closePairs& pairs,
@@ -203,8 +199,12 @@ void Foam::bodyInteractions::look(const closePairs& pairs,
             }
         }
         if (depth <= deepest.depth) continue;
-        deepest = {depth, label(points[p.first].body),
-                   label(points[p.second].body), pairs.here()[p.first]};
+        const auto body = [&](const label k)
+        {
+            const label number = pairs.body()[k];
+            return number < 0 ? -1 - number : number;
+        };
+        deepest = {depth, body(p.first), body(p.second), pairs.here()[p.first]};
     }
 }
 

@@ -5,36 +5,38 @@
 #include <algorithm>
 #include <cmath>
 
-// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#pragma GCC diagnostic ignored "-Wuninitialized"
-#include <Eigen/Core>
-
 namespace
 {
 using namespace Foam;
 
-using eight = Eigen::Array<float, closePairs::nParts, 1>;
+//- Eight values that lie next to each other anywhere in memory, and whether something
+//  holds of each (0 or -1): one vector for the compiler (GCC and Clang), of AVX or of
+//  two halves
+typedef float eight __attribute__((vector_size(32), aligned(4), may_alias));
+typedef int eightFlags __attribute__((vector_size(32)));
+static_assert(closePairs::nParts == 8, "parts of a cluster fill a vector");
 
-//- Bit k: is number k of eight below 0?
-unsigned below(const eight& values)
+inline const eight& eightAt(const float* values)
 {
-    unsigned bits = 0;
-    for (label k = 0; k < closePairs::nParts; ++k)
-    {
-        bits |= unsigned(values[k] < 0) << k;
-    }
-    return bits;
+    return *reinterpret_cast<const eight*>(values);
 }
 
-//- Squares of distances by the nearest image (none where perLength is 0)
-eight nearestSquare(const float* length, const float* perLength, eight x,
-                    eight y, eight z)
+//- Bit k: does number k of eight hold?
+inline unsigned bitsOf(const eightFlags& flags)
 {
-    x -= length[0] * eight(x * perLength[0]).rint();
-    y -= length[1] * eight(y * perLength[1]).rint();
-    z -= length[2] * eight(z * perLength[2]).rint();
-    return x * x + y * y + z * z;
+    typedef long long fourPairs __attribute__((vector_size(32)));
+    const eightFlags bit = {1, 2, 4, 8, 16, 32, 64, 128};
+    const fourPairs p = reinterpret_cast<fourPairs>(flags & bit);
+    const long long all = (p[0] | p[1]) | (p[2] | p[3]);
+    return unsigned(all | all >> 32);
+}
+
+//- Of each value the distance to its nearest image. Adding this number rounds to
+//  integers
+inline eight nearest(const eight& x, const float length, const float perLength)
+{
+    const float rounds = 12582912;
+    return x - length * ((x * perLength + rounds) - rounds);
 }
 } // namespace
 
@@ -44,12 +46,17 @@ template<class Visit>
 void Foam::closePairs::eachNear(const std::vector<cluster>& clusters,
                                 std::vector<comparison>& twos, Visit visit)
 {
-    const auto all = [](const float* values)
-    { return Eigen::Map<const eight>(values); };
-    const auto away = [&](const cluster& p, const cluster& q, const direction d)
+    const auto away = [](const cluster& p, const cluster& q, const direction d)
+    { return float(p.centre[d] - q.centre[d]); };
+
+    // Are eight places, by their components, within range?
+    const auto within = [this](const eight& x, const eight& y, const eight& z,
+                               const eight& range)
     {
-        const scalar x = p.centre[d] - q.centre[d];
-        return float(x - grid_.length()[d] * std::rint(x * perLength_[d]));
+        const eight a = nearest(x, length_[0], perLength_[0]),
+                    b = nearest(y, length_[1], perLength_[1]),
+                    c = nearest(z, length_[2], perLength_[2]);
+        return bitsOf(a * a + b * b + c * c < range * range);
     };
     const auto eachPart = [](const comparison& c, const auto& use)
     {
@@ -62,11 +69,10 @@ void Foam::closePairs::eachNear(const std::vector<cluster>& clusters,
     for (comparison& c : twos)
     {
         const cluster &p = clusters[c.first], &q = clusters[c.second];
-        c.near = p.present & below(nearestSquare(length_, perLength_,
-                                                 all(p.x[0]) + away(p, q, 0),
-                                                 all(p.x[1]) + away(p, q, 1),
-                                                 all(p.x[2]) + away(p, q, 2)) -
-                                   (all(p.r) + (reach_ + q.radius)).square());
+        c.near = p.present & within(eightAt(p.x[0]) + away(p, q, 0),
+                                    eightAt(p.x[1]) + away(p, q, 1),
+                                    eightAt(p.x[2]) + away(p, q, 2),
+                                    eightAt(p.r) + (reach_ + q.radius));
     }
     ofParts_.clear();
     for (const comparison& c : twos)
@@ -81,12 +87,10 @@ void Foam::closePairs::eachNear(const std::vector<cluster>& clusters,
         const cluster &p = clusters[c.first], &q = clusters[c.second];
         const label i = c.part;
         c.near =
-            q.present &
-            below(nearestSquare(length_, perLength_,
-                                (p.x[0][i] + away(p, q, 0)) - all(q.x[0]),
-                                (p.x[1][i] + away(p, q, 1)) - all(q.x[1]),
-                                (p.x[2][i] + away(p, q, 2)) - all(q.x[2])) -
-                  (all(q.r) + (reach_ + p.r[i])).square());
+            q.present & within((p.x[0][i] + away(p, q, 0)) - eightAt(q.x[0]),
+                               (p.x[1][i] + away(p, q, 1)) - eightAt(q.x[1]),
+                               (p.x[2][i] + away(p, q, 2)) - eightAt(q.x[2]),
+                               eightAt(q.r) + (reach_ + p.r[i]));
     }
     for (const comparison& c : ofParts_)
     {
@@ -169,7 +173,7 @@ Foam::closePairs::cluster::cluster(const label start, const label n,
         hi = max(hi, places[k]);
     }
     centre = 0.5 * (lo + hi);
-    radius = 0;
+    scalar largest = 0, largestSqr = 0;
     for (label k = 0; k < nParts; ++k)
     {
         const label i = min(k, n - 1);
@@ -179,8 +183,10 @@ Foam::closePairs::cluster::cluster(const label start, const label n,
             x[d][k] = off[d];
         }
         r[k] = radii ? radii[i] : 0;
-        radius = max(radius, float(mag(off)) + r[k]);
+        if (radii) largest = max(largest, mag(off) + radii[i]);
+        largestSqr = max(largestSqr, magSqr(off));
     }
+    radius = radii ? largest : std::sqrt(largestSqr);
 }
 
 void Foam::closePairs::makePatches(const UList<vector>& X,
