@@ -214,9 +214,20 @@ void Foam::bodyGroup::insert(const label body, const scalarList& state,
     checkStart(i, source);
 }
 
-void Foam::bodyGroup::putInto(const label host, const bodyGroup& group)
+// Points of either are no more than 1.4 cells apart, and repulsion keeps those of the
+// other about as far away: a Stokeslet smoothed over a cell is enough
+void Foam::bodyGroup::putInto(const label host, bodyGroup& group)
 {
     host_ = host;
+    partner_ = &group;
+    group.partner_ = this;
+    if (hasNearField() && group.hasNearField())
+    {
+        const scalar h = scene_.grid.h().x();
+        between_ =
+            std::make_shared<nearField>(scene_.kernel.type(), h, scene_.mu, h);
+        group.between_ = between_;
+    }
     const vector L(scene_.grid.length());
     forAll(positions_, body)
     {
@@ -229,6 +240,14 @@ void Foam::bodyGroup::putInto(const label host, const bodyGroup& group)
             }
         }
     }
+}
+
+void Foam::bodyGroup::addOfPartner(const label i, const vector* X,
+                                   const label n, vector* u) const
+{
+    const pointForces& there = partner_->nearForces(i);
+    between_->add(there.X.data(), there.F.data(), label(there.X.size()), X, n,
+                  u);
 }
 
 Foam::scalarList Foam::bodyGroup::release(const label i)

@@ -12,7 +12,9 @@ void Foam::bodyOwnership::distribute(bodyGroup& group,
         if (states.size() && state.empty()) continue; // it has been removed
         const point centre(states.size() ? group.centreOf(state, body, source)
                                          : group.initialCentre(body));
-        if (neighbours_.holderOfAll(centre) == Pstream::myProcNo())
+        if (group.host() < 0
+                ? neighbours_.holderOfAll(centre) == Pstream::myProcNo()
+                : group.hasHostOf(body))
         {
             group.insert(body, state, source);
         }
@@ -28,7 +30,7 @@ void Foam::bodyOwnership::migrate(PtrList<bodyGroup>& groups)
     {
         forAll(groups[g].mine(), i)
         {
-            centres.append(groups[g].centre(i));
+            centres.append(groups[g].owningPlace(i));
         }
     }
     neighbours_.cover(centres, 0);

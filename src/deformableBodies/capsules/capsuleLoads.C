@@ -73,6 +73,7 @@ void Foam::capsuleGroup::loads(vector* X, vector* F, const scalar time)
         std::copy(c.markersMid.begin(), c.markersMid.end(), X);
         forcesOnFluid(i, time, F);
         if (nearField_) loadOnFluid(F, c.onFluid);
+        c.near.X.clear();
         X += n;
         F += n;
     }
@@ -101,6 +102,17 @@ void Foam::capsuleGroup::forcesOnFluid(const label i, const scalar time,
     {
         F[k] += more[k];
     }
+}
+
+const Foam::bodyGroup::pointForces&
+Foam::capsuleGroup::nearForces(const label i)
+{
+    capsule& c = capsules_[i];
+    if (c.near.X.empty() && !c.onFluid.empty())
+    {
+        nearField_->forces(c.x.data(), c.onFluid.data(), c.near.X, c.near.F);
+    }
+    return c.near;
 }
 
 // Forces have the solid angles in them

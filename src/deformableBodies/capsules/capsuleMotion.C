@@ -200,7 +200,14 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
                 forcesOnFluid(i, s.time - dt, F.data());
                 loadOnFluid(F.cdata(), c.onFluid);
             }
-            nearField_->add(c.x.data(), c.onFluid.data(), velocity.data());
+            if (hasNearPartner()) nearForces(i); // before it moves
+            nearField_->add(
+                c.x.data(), c.onFluid.data(), velocity.data(),
+                [&](const std::vector<vector>& X, std::vector<vector>& u)
+                {
+                    if (!hasNearPartner()) return;
+                    addOfPartner(i, X.data(), X.size(), u.data());
+                });
         }
 
         // Zero net flow through the membrane, int U.n dS = 0: the change of

@@ -40,52 +40,68 @@ void Foam::capsuleNearField::setTaper(const scalar degree)
     }
 }
 
-void Foam::capsuleNearField::add(const double* x, const double* load,
-                                 double* velocity) const
+const Foam::capsuleNearField::pointSum&
+Foam::capsuleNearField::placePoints(const double* x,
+                                    std::vector<vector>& X) const
 {
-    const label nCoeffs = 3 * harmonics().nCoeffs();
-    const pointSum* used = usual_.get();
-    std::vector<vector> X(used->points.size());
-    used->points.values(x, X.data());
-    if (stretched_)
+    const auto place = [&](const pointSum& s) -> const pointSum&
     {
-        vector mean(Zero);
-        for (size_t k = 0; k < X.size(); ++k)
-        {
-            mean += used->points.weight(k) / (4 * pi) * X[k];
-        }
-        scalar longest = 0;
-        for (const vector& p : X)
-        {
-            longest = max(longest, magSqr(p - mean));
-        }
-
-        if (longest > sqr(1.7 * extent_))
-        {
-            used = stretched_.get();
-            X.resize(used->points.size());
-            used->points.values(x, X.data());
-        }
+        X.resize(s.points.size());
+        s.points.values(x, X.data());
+        return s;
+    };
+    place(*usual_);
+    if (!stretched_) return *usual_;
+    vector mean(Zero);
+    for (size_t k = 0; k < X.size(); ++k)
+    {
+        mean += usual_->points.weight(k) / (4 * pi) * X[k];
     }
-    const surfacePoints& points = used->points;
-    const label n = points.size();
+    scalar longest = 0;
+    for (const vector& p : X)
+    {
+        longest = max(longest, magSqr(p - mean));
+    }
+    return longest > sqr(1.7 * extent_) ? place(*stretched_) : *usual_;
+}
 
-    std::vector<double> coeffs(nCoeffs);
-    std::vector<vector> F(n), u(n);
-    for (label i = 0; i < nCoeffs; ++i)
+void Foam::capsuleNearField::forces(const double* x, const double* load,
+                                    std::vector<vector>& X,
+                                    std::vector<vector>& F) const
+{
+    forcesAt(placePoints(x, X).points, load, F);
+}
+
+void Foam::capsuleNearField::forcesAt(const surfacePoints& points,
+                                      const double* load,
+                                      std::vector<vector>& F) const
+{
+    std::vector<double> coeffs(3 * harmonics().nCoeffs());
+    for (size_t i = 0; i < coeffs.size(); ++i)
     {
         coeffs[i] = taper_[i / 3] * load[i];
     }
+    F.resize(points.size());
     points.values(coeffs.data(), F.data());
-    for (label k = 0; k < n; ++k)
+    for (label k = 0; k < points.size(); ++k)
     {
         F[k] *= points.weight(k);
     }
+}
 
-    used->sum.velocity(X.data(), F.data(), n, u.data());
+void Foam::capsuleNearField::add(const double* x, const double* load,
+                                 double* velocity, const others& more) const
+{
+    std::vector<vector> X, F;
+    const pointSum& used = placePoints(x, X);
+    forcesAt(used.points, load, F);
+    std::vector<vector> u(X.size());
+    used.sum.velocity(X.data(), F.data(), X.size(), u.data());
+    if (more) more(X, u);
 
-    points.analysis(u.data(), coeffs.data());
-    for (label i = 0; i < nCoeffs; ++i)
+    std::vector<double> coeffs(3 * harmonics().nCoeffs());
+    used.points.analysis(u.data(), coeffs.data());
+    for (size_t i = 0; i < coeffs.size(); ++i)
     {
         velocity[i] += taper_[i / 3] * coeffs[i];
     }

@@ -63,8 +63,9 @@ void Foam::rigidGroup::loads(vector* X, vector* F, scalar)
     }
 }
 
-Foam::vectorField Foam::rigidGroup::felt(const body& x, const vector* U) const
+Foam::vectorField Foam::rigidGroup::felt(const label i, const vector* U) const
 {
+    const body& x = bodies_[i];
     const label n = markers_.size();
     vectorField v(UList<vector>(const_cast<vector*>(U), n));
     if (nearField_)
@@ -74,15 +75,30 @@ Foam::vectorField Foam::rigidGroup::felt(const body& x, const vector* U) const
         nearField_->velocity(x.markers.cdata(), x.forces.cdata(), n,
                              more.data());
         v += more;
+        if (hasNearPartner()) addOfPartner(i, x.markers.cdata(), n, v.data());
     }
     return v;
 }
 
+const Foam::bodyGroup::pointForces& Foam::rigidGroup::nearForces(const label i)
+{
+    const body& x = bodies_[i];
+    const tensor R(isSphere() ? tensor::I : x.turn.R());
+    nearForces_.X.clear();
+    for (const vector& r : markers_)
+    {
+        nearForces_.X.push_back(x.centre + (R & r));
+    }
+    nearForces_.F.assign(x.forces.begin(), x.forces.end());
+    return nearForces_;
+}
+
 void Foam::rigidGroup::observe(const vector* U)
 {
-    for (body& x : bodies_)
+    forAll(mine(), i)
     {
-        const vectorField u(felt(x, U));
+        body& x = bodies_[i];
+        const vectorField u(felt(i, U));
         x.slip = max(
             mag(x.velocity + (x.angularVelocity ^ (x.markers - x.centre)) - u));
         U += markers_.size();
@@ -121,7 +137,7 @@ Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
             force = sum(F);
             torque = sum((x.turn.R() & surface_) ^ F);
         }
-        const vectorField now(felt(x, U));
+        const vectorField now(felt(i, U));
         vectorField u(now);
 
         // The velocity at the start of the step stands for that at its end: see

@@ -6,6 +6,7 @@
 // g++ 12 sees uninitialised values in its own AVX-512 intrinsics
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <Eigen/QR>
+#include <algorithm>
 
 namespace
 {
@@ -220,6 +221,45 @@ Foam::nearField::mobility Foam::nearField::fitted(const scalar q) const
     oneLane A, C;
     evaluate<oneLane>(oneLane::Constant(float(q * q)), A, C);
     return {A[0], C[0]};
+}
+
+void Foam::nearField::add(const vector* Y, const vector* G, const label m,
+                          const vector* X, const label n, vector* u) const
+{
+    const scalar factor = 1 / (8 * pi * mu_ * h_);
+    for (label i = 0; i < n; i += nLanes)
+    {
+        const label some = std::min(label(nLanes), n - i);
+        lanes x[3], v[3];
+        for (direction d = 0; d < 3; ++d)
+        {
+            v[d].setZero();
+            for (label k = 0; k < nLanes; ++k)
+            {
+                x[d][k] = (X[i + std::min(k, some - 1)][d] - X[0][d]) / h_;
+            }
+        }
+        for (label j = 0; j < m; ++j)
+        {
+            lanes r[3], A, C;
+            float g[3];
+            for (direction d = 0; d < 3; ++d)
+            {
+                r[d] = x[d] - float((Y[j][d] - X[0][d]) / h_);
+                g[d] = factor * G[j][d];
+            }
+            evaluate<lanes>(r[0] * r[0] + r[1] * r[1] + r[2] * r[2], A, C);
+            C *= r[0] * g[0] + r[1] * g[1] + r[2] * g[2];
+            for (direction d = 0; d < 3; ++d)
+            {
+                v[d] += A * g[d] + C * r[d];
+            }
+        }
+        for (label k = 0; k < some; ++k)
+        {
+            u[i + k] += vector(v[0][k], v[1][k], v[2][k]);
+        }
+    }
 }
 
 void Foam::nearField::velocity(const vector* X, const vector* F, const label n,

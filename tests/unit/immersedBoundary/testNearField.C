@@ -69,6 +69,26 @@ TEST(NearField, sumOfPairs)
     }
 }
 
+// Of two clouds together: each by itself, and what each adds to the other
+TEST(NearField, sumBetweenClouds)
+{
+    const nearField near(deltaKernel::Roma3, 0.5, 2, 0.6);
+    for (const label n : {1, 16, 37})
+    {
+        const cloud c(53 + n);
+        const vectorField X(SubField<vector>(c.X, n)),
+            F(SubField<vector>(c.F, n)), Y(SubField<vector>(c.X, 53, n)),
+            G(SubField<vector>(c.F, 53, n));
+        vectorField u(velocity(near, X, F)), v(velocity(near, Y, G));
+        near.add(Y.cdata(), G.cdata(), 53, X.cdata(), n, u.data());
+        near.add(X.cdata(), F.cdata(), n, Y.cdata(), 53, v.data());
+        u.append(v);
+        test::expectBelow("two clouds against their union, " +
+                              std::to_string(n),
+                          difference(u, velocity(near, c.X, c.F)), 1e-5);
+    }
+}
+
 TEST(NearField, symmetryAndInvariance)
 {
     const nearField near(deltaKernel::Roma3, 0.25, 1, 0.3);

@@ -244,7 +244,8 @@ void Foam::bodyInteractions::compareBoxes()
                 {half.x(), half.y(), half.z(), scalar(firstBody_[g] + number)});
             largest = max(largest, cmptMax(half));
             offset =
-                max(offset, cmptMax(cmptMag(centres.last() - group.centre(i))));
+                max(offset,
+                    cmptMax(cmptMag(centres.last() - group.owningPlace(i))));
         }
     }
     reduce(largest, maxOp<scalar>());
