@@ -15,19 +15,10 @@ Made by `tests/bench/accuracyAndCost`, which runs `bin/accuracyCost` on tutorial
 quantity at the end differs from the setting's own limit (Richardson's value or the finest, as written; that of the finest, hollow in the picture, is how sure the limit is). Errors of different settings add up. Core seconds are those of the run on one core of a busy
 machine: compare them with each other.
 
-Errors of the cells against values that no mesh has touched, boundary integrals, are in [accuracy.csv](accuracy.csv) and in the picture of the README (`tests/bench/accuracy`); what a run
-states of its own error (`accuracy 0.01;`) follows these laws, with their scatter as margin ([capsuleErrors.C](../src/deformableBodies/capsules/capsuleErrors.C)):
-
-| source | relative error of D |
-|---|---|
-| cells, with near field, a/h 3 and more | 0.3 % (0.7 % with a viscosity ratio) |
-| cells, without, spheres | 11.5 % (4 h/a)^1.3 |
-| harmonics to degree N | 0.3 % (6/N)^2, below 5: 1.5 % |
-| markers s cells apart, stretched by a quarter, s from 0.9 to 1.6 | 0.03 % s^6 |
-| step | 6 (deltaT rate)^2 |
-
-On other scenes the true error is within the stated one (`tests/validation/expectedErrors`). Of filaments: 4/segments^2 of the shape, and 3 % of the drag of a fibre of the kernel's
-thickness; of rigid spheres 0.3 % (3 h/a)^2 of the drag with near field, 6.4 % h/a without; of both 0.08 % nu deltaT/h^2, up to 10 and once steady. `pimple` adds 1 %.
+Errors of the cells against values that no mesh has touched, boundary integrals, are in [accuracy.csv](accuracy.csv) and in the picture of the README (`tests/bench/accuracy`). What a run
+states of its own error, in its log and for `accuracy 0.01;`, follows laws that cover these curves and their scatter; they stand in one place each, of capsules
+[capsuleErrors.C](../src/deformableBodies/capsules/capsuleErrors.C), of filaments [filamentShape.C](../src/deformableBodies/filaments/filamentShape.C), of rigid bodies
+[rigidMotion.C](../src/deformableBodies/rigidBodies/rigidMotion.C) (`errors()`). On other scenes the true error is within the stated one (`tests/validation/expectedErrors`).
 
 ![Error against core seconds](accuracy-and-cost.png)
 """]
