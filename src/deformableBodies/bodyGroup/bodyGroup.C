@@ -335,3 +335,16 @@ void Foam::bodyGroup::readPlaces(const dictionary& dict, const solidForm& form,
         scene_.placed.add({form, positions_[i] - fromCentre * t, t});
     }
 }
+
+void Foam::bodyGroup::contactSurface(const label i, vector* X, vector* dS) const
+{
+    const bodyPoints p(points(i));
+    std::copy(p.places.begin(), p.places.end(), X);
+    std::copy(p.areas.begin(), p.areas.end(), dS);
+}
+
+Foam::vector Foam::bodyGroup::contactVelocity(const label i,
+                                              const label point) const
+{
+    return points(i).velocities[point];
+}

@@ -56,11 +56,32 @@ Foam::bodyPoints Foam::capsuleGroup::points(const label i) const
     const capsule& c = capsules_[i];
     p.places = c.markersMid;
     markers_->areas(c.xMid.data(), p.areas.data());
-    if (c.lastDeltaT > 0)
+    forAll(p.velocities, k)
     {
-        p.velocities = 2 / c.lastDeltaT * (c.markers - c.markersMid);
+        p.velocities[k] = contactVelocity(i, k);
     }
     return p;
+}
+
+// The gradient of the volume is the series of the area vectors per solid angle
+void Foam::capsuleGroup::contactSurface(const label i, vector* X,
+                                        vector* dS) const
+{
+    const capsule& c = capsules_[i];
+    std::copy(c.markersMid.begin(), c.markersMid.end(), X);
+    markers_->values(c.volumeGradient.data(), dS);
+    for (label k = 0; k < markers_->size(); ++k)
+    {
+        dS[k] *= markers_->weight(k);
+    }
+}
+
+Foam::vector Foam::capsuleGroup::contactVelocity(const label i,
+                                                 const label point) const
+{
+    const capsule& c = capsules_[i];
+    if (c.lastDeltaT == 0) return Zero;
+    return 2 / c.lastDeltaT * (c.markers[point] - c.markersMid[point]);
 }
 
 void Foam::capsuleGroup::loads(vector* X, vector* F, const scalar time)

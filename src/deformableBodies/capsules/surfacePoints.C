@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "surfacePoints.H"
+#include "patchOrder.H"
 #include <cmath>
 
 Foam::surfacePoints::surfacePoints(const label degree, const label nTheta)
@@ -8,19 +9,31 @@ Foam::surfacePoints::surfacePoints(const label degree, const label nTheta)
       onGrid_(3 * grid_.nPoints())
 {
     const label nPhi = grid_.nPhi();
+    std::vector<label> used;
+    std::vector<double> weights;
+    DynamicList<vector> directions;
     for (label i = 0, k = 0; i < grid_.nTheta(); ++i)
     {
+        const scalar sine = std::sin(grid_.theta(i));
         label step = 1;
-        for (label s = 2; s * std::sin(grid_.theta(i)) < 1.15 && s < nPhi; ++s)
+        for (label s = 2; s * sine < 1.15 && s < nPhi; ++s)
         {
             if (nPhi % (2 * s) == 0) step = s;
         }
         for (label j = 0; j < nPhi; ++j, ++k)
         {
             if (j % step) continue;
-            used_.push_back(k);
-            weights_.push_back(step * grid_.weight(k));
+            used.push_back(k);
+            weights.push_back(step * grid_.weight(k));
+            directions.append(vector(sine * std::cos(grid_.phi(j)),
+                                     sine * std::sin(grid_.phi(j)),
+                                     std::cos(grid_.theta(i))));
         }
+    }
+    for (const label k : patchOrder(directions))
+    {
+        used_.push_back(used[k]);
+        weights_.push_back(weights[k]);
     }
 }
 

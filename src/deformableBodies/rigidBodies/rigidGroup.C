@@ -3,6 +3,7 @@
 #include "rigidGroup.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
+#include "patchOrder.H"
 #include "judgedRatio.H"
 #include "mathematicalConstants.H"
 #include <cmath>
@@ -144,6 +145,11 @@ void Foam::rigidGroup::makeMarkers(const scalar spacing)
                 label(std::ceil(0.5 * shape_.area() / sqr(spacing * h_))));
     shape_.points(n, inset, markers_, areas_);
     shape_.points(n, 0, surface_, areas_);
+    const labelList order(patchOrder(surface_));
+    for (vectorField* values : {&markers_, &surface_, &areas_})
+    {
+        *values = vectorField(*values, order);
+    }
 
     // In cells of any direction: on average over three positions of the body
     const scalar width = 2 * scene_.kernel.reach();
@@ -218,6 +224,13 @@ Foam::bodyPoints Foam::rigidGroup::points(const label i) const
     const body& x = bodies_[i];
     return pointsOf(mine()[i], x.centre, x.turn.R(), x.velocity,
                     x.angularVelocity);
+}
+
+Foam::vector Foam::rigidGroup::contactVelocity(const label i,
+                                               const label point) const
+{
+    const body& x = bodies_[i];
+    return x.velocity + (x.angularVelocity ^ (x.turn.R() & surface_[point]));
 }
 
 Foam::point Foam::rigidGroup::initialCentre(const label number) const

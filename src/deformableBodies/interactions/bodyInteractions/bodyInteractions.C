@@ -58,7 +58,7 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
       walls_(FixedList<bool, 2>(false)),
       firstBody_(groups.size() + 1, label(0)),
       surfaces_(groups.size(), false),
-      order_(groups.size())
+      nPoints_(groups.size(), label(0))
 {
     const dictionary& control = mesh.time().controlDict();
     interactionScene about{scene.grid,
@@ -80,7 +80,7 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
         surfaces_[g] = p.isSurface();
         if (surfaces_[g])
         {
-            order_[g] = patchOrder(p.places);
+            nPoints_[g] = p.places.size();
             const scalar area = sum(mag(p.areas));
             const scalar Gs =
                 p.stiffness /
@@ -312,7 +312,7 @@ void Foam::bodyInteractions::add(const label group, const label body,
         const label k = p.first + i;
         if (surfaces_[group])
         {
-            F[order_[group][i]] += F_.F[k];
+            F[i] += F_.F[k];
             continue;
         }
         const partOfSegment& on = parts_[k - firstOfLines_];

@@ -24,7 +24,6 @@ void Foam::bodyInteractions::update()
     along_.clear();
     body_.clear();
     X_.clear();
-    V_.clear();
     points_.clear();
     for (const bool surfaces : {true, false})
     {
@@ -76,41 +75,35 @@ void Foam::bodyInteractions::update()
             }
         }
     }
-    forAll(X_, k)
+    for (const participant& p : bodies_)
     {
-        power_ += F_.F[k] & V_[k];
+        power_ += powerOn(p);
     }
     work_ += time_.deltaTValue() * power_;
 }
 
 void Foam::bodyInteractions::collect(const participant& p)
 {
-    const bodyPoints points(groups_[p.group].points(p.place));
-    const vectorField &x = points.places, &v = points.velocities;
-    interactingPoint point{
-        Zero, 0, std::sqrt(points.crossSection / constant::mathematical::pi)};
+    const bodyGroup& group = groups_[p.group];
     const label body = firstBody_[p.group] + p.number;
-    if (points.isSurface())
+    if (surfaces_[p.group])
     {
-        const labelList& order = order_[p.group];
-        const label first = X_.size(), n = order.size();
-        for (DynamicList<vector>* values : {&X_, &V_})
-        {
-            values->setSize(first + n);
-        }
+        const label first = X_.size(), n = nPoints_[p.group];
+        X_.setSize(first + n);
         points_.setSize(first + n);
         body_.setSize(first + n, body);
-        forAll(order, i)
+        areas_.setSize(n);
+        group.contactSurface(p.place, &X_[first], areas_.data());
+        for (label k = 0; k < n; ++k)
         {
-            const label k = order[i];
-            X_[first + i] = x[k];
-            V_[first + i] = v[k];
-            point.area = points.areas[k];
-            point.size = mag(point.area);
-            points_[first + i] = point;
+            points_[first + k] = {areas_[k], mag(areas_[k]), 0};
         }
         return;
     }
+    const bodyPoints points(group.points(p.place));
+    const vectorField &x = points.places, &v = points.velocities;
+    interactingPoint point{
+        Zero, 0, std::sqrt(points.crossSection / constant::mathematical::pi)};
     const scalar h = cmptMax(grid_.h());
     const scalar apart = max(min(0.5 * h, 2 * point.radius), 0.1 * h);
     scalar before = 0;
@@ -123,15 +116,29 @@ void Foam::bodyInteractions::collect(const participant& p)
         {
             point.size = length / parts * h;
             const scalar onward = (j + 0.5) / parts;
-            parts_.append({k, onward, scalar(1) / parts});
+            parts_.append({k, onward, scalar(1) / parts,
+                           (1 - onward) * v[k] + onward * v[k + 1]});
             along_.append(p.folded ? before + onward * length : -1);
             X_.append((1 - onward) * x[k] + onward * x[k + 1]);
-            V_.append((1 - onward) * v[k] + onward * v[k + 1]);
             points_.append(point);
             body_.append(body);
         }
         before += length;
     }
+}
+
+Foam::scalar Foam::bodyInteractions::powerOn(const participant& p) const
+{
+    scalar power = 0;
+    for (label i = 0; i < p.size; ++i)
+    {
+        const vector& F = F_.F[p.first + i];
+        if (F == vector::zero) continue;
+        power += F & (surfaces_[p.group]
+                          ? groups_[p.group].contactVelocity(p.place, i)
+                          : parts_[p.first + i - firstOfLines_].velocity);
+    }
+    return power;
 }
 
 Foam::UList<Foam::interactingPoint>

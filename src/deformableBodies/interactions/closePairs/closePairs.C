@@ -102,44 +102,6 @@ void Foam::closePairs::eachNear(const std::vector<cluster>& clusters,
     }
 }
 
-namespace
-{
-//- Order points so that their halves, of whole regions and patches, lie apart
-void halve(const UList<vector>& X, label* begin, label* end)
-{
-    const label n = end - begin, patch = closePairs::nParts;
-    if (n <= patch) return;
-    vector lo(vector::uniform(GREAT)), hi(-lo);
-    for (const label* k = begin; k < end; ++k)
-    {
-        lo = min(lo, X[*k]);
-        hi = max(hi, X[*k]);
-    }
-    direction widest = 0;
-    for (direction d = 1; d < 3; ++d)
-    {
-        if (hi[d] - lo[d] > hi[widest] - lo[widest]) widest = d;
-    }
-    const label whole = n > patch * patch ? patch * patch : patch;
-    label* middle = begin + ((n - 1) / whole + 1) / 2 * whole;
-    const auto before = [&](const label a, const label b)
-    {
-        return X[a][widest] < X[b][widest] ||
-               (X[a][widest] == X[b][widest] && a < b);
-    };
-    std::nth_element(begin, middle, end, before);
-    halve(X, begin, middle);
-    halve(X, middle, end);
-}
-} // namespace
-
-Foam::labelList Foam::patchOrder(const UList<vector>& X)
-{
-    labelList order(identity(X.size()));
-    halve(X, order.begin(), order.end());
-    return order;
-}
-
 // Clusters are compared in single precision, what is then near also in double
 Foam::closePairs::closePairs(const uniformGrid& grid, const scalar range)
     : grid_(grid),
