@@ -119,36 +119,39 @@ Foam::closePairs::closePairs(const uniformGrid& grid, const scalar range)
 
 Foam::closePairs::cluster::cluster(const label start, const label n,
                                    const label number, const bool folds,
-                                   const bool isHeld, const vector* places,
-                                   const scalar* radii)
+                                   const bool isHeld,
+                                   const UList<vector>& points,
+                                   const vector* places, const float* radii)
     : first(start),
       size(n),
       body(number),
       present((1u << n) - 1),
       mayFold(folds),
-      held(isHeld)
+      held(isHeld),
+      nPoints(points.size())
 {
-    vector lo(places[0]), hi(places[0]);
-    for (label k = 1; k < n; ++k)
+    vector lo(points[0]), hi(points[0]);
+    for (const vector& X : points)
     {
-        lo = min(lo, places[k]);
-        hi = max(hi, places[k]);
+        lo = min(lo, X);
+        hi = max(hi, X);
     }
     centre = 0.5 * (lo + hi);
-    scalar largest = 0, largestSqr = 0;
+    scalar furthestSqr = 0;
+    for (const vector& X : points)
+    {
+        furthestSqr = max(furthestSqr, magSqr(X - centre));
+    }
+    radius = std::sqrt(furthestSqr);
     for (label k = 0; k < nParts; ++k)
     {
         const label i = min(k, n - 1);
-        const vector off(places[i] - centre);
         for (direction d = 0; d < 3; ++d)
         {
-            x[d][k] = off[d];
+            x[d][k] = places[i][d] - centre[d];
         }
         r[k] = radii ? radii[i] : 0;
-        if (radii) largest = max(largest, mag(off) + radii[i]);
-        largestSqr = max(largestSqr, magSqr(off));
     }
-    radius = radii ? largest : std::sqrt(largestSqr);
 }
 
 void Foam::closePairs::makePatches(const UList<vector>& X,
@@ -165,7 +168,7 @@ void Foam::closePairs::makePatches(const UList<vector>& X,
         while (n < nParts && k + n < X.size() && body[k + n] == body[k])
             ++n;
         patches_.emplace_back(k, n, body[k], along_.size() && along_[k] >= 0,
-                              true, &X[k]);
+                              true, SubList<vector>(X, n, k), &X[k]);
     }
 }
 
@@ -211,7 +214,8 @@ void Foam::closePairs::exchangePatches()
             body.append(label(from[nNumbers - 2]));
         }
         patches_.emplace_back(first, n, body[first], along[first] >= 0,
-                              copies_.holds(i), &X[first]);
+                              copies_.holds(i), SubList<vector>(X, n, first),
+                              &X[first]);
     }
     X_ = X;
     body_ = body;
@@ -322,25 +326,29 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body,
 }
 
 void Foam::closePairs::gather(const std::vector<cluster>& parts,
-                              std::vector<cluster>& wholes)
+                              std::vector<cluster>& wholes) const
 {
     wholes.clear();
+    label point = 0;
     for (size_t i = 0; i < parts.size();)
     {
         const cluster& p = parts[i];
         vector centres[nParts];
-        scalar radii[nParts];
-        label n = 0;
+        float radii[nParts];
+        label n = 0, points = 0;
         for (;
              n < nParts && i + n < parts.size() && parts[i + n].body == p.body;
              ++n)
         {
-            centres[n] = parts[i + n].centre;
-            radii[n] = parts[i + n].radius;
+            const cluster& part = parts[i + n];
+            centres[n] = part.centre;
+            radii[n] = part.radius;
+            points += part.nPoints;
         }
-        wholes.emplace_back(label(i), n, p.body, p.mayFold, true, centres,
-                            radii);
+        wholes.emplace_back(label(i), n, p.body, p.mayFold, true,
+                            SubList<vector>(X_, points, point), centres, radii);
         i += n;
+        point += points;
     }
 }
 
