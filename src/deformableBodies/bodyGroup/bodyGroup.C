@@ -336,15 +336,11 @@ void Foam::bodyGroup::readPlaces(const dictionary& dict, const solidForm& form,
     }
 }
 
-void Foam::bodyGroup::contactSurface(const label i, vector* X, vector* dS) const
+void Foam::bodyGroup::contactSurface(const label i, vector* X, vector* V,
+                                     vector* dS) const
 {
     const bodyPoints p(points(i));
     std::copy(p.places.begin(), p.places.end(), X);
+    std::copy(p.velocities.begin(), p.velocities.end(), V);
     std::copy(p.areas.begin(), p.areas.end(), dS);
-}
-
-Foam::vector Foam::bodyGroup::contactVelocity(const label i,
-                                              const label point) const
-{
-    return points(i).velocities[point];
 }

@@ -54,34 +54,33 @@ Foam::bodyPoints Foam::capsuleGroup::points(const label i) const
         return p;
     }
     const capsule& c = capsules_[i];
-    p.places = c.markersMid;
+    placesAndVelocities(c, p.places.data(), p.velocities.data());
     markers_->areas(c.xMid.data(), p.areas.data());
-    forAll(p.velocities, k)
-    {
-        p.velocities[k] = contactVelocity(i, k);
-    }
     return p;
 }
 
+void Foam::capsuleGroup::placesAndVelocities(const capsule& c, vector* X,
+                                             vector* V) const
+{
+    const scalar perStep = c.lastDeltaT > 0 ? 2 / c.lastDeltaT : 0;
+    for (label k = 0; k < markers_->size(); ++k)
+    {
+        X[k] = c.markersMid[k];
+        V[k] = perStep * (c.markers[k] - X[k]);
+    }
+}
+
 // The gradient of the volume is the series of the area vectors per solid angle
-void Foam::capsuleGroup::contactSurface(const label i, vector* X,
+void Foam::capsuleGroup::contactSurface(const label i, vector* X, vector* V,
                                         vector* dS) const
 {
     const capsule& c = capsules_[i];
-    std::copy(c.markersMid.begin(), c.markersMid.end(), X);
+    placesAndVelocities(c, X, V);
     markers_->values(c.volumeGradient.data(), dS);
     for (label k = 0; k < markers_->size(); ++k)
     {
         dS[k] *= markers_->weight(k);
     }
-}
-
-Foam::vector Foam::capsuleGroup::contactVelocity(const label i,
-                                                 const label point) const
-{
-    const capsule& c = capsules_[i];
-    if (c.lastDeltaT == 0) return Zero;
-    return 2 / c.lastDeltaT * (c.markers[point] - c.markersMid[point]);
 }
 
 void Foam::capsuleGroup::loads(vector* X, vector* F, const scalar time)

@@ -226,13 +226,6 @@ Foam::bodyPoints Foam::rigidGroup::points(const label i) const
                     x.angularVelocity);
 }
 
-Foam::vector Foam::rigidGroup::contactVelocity(const label i,
-                                               const label point) const
-{
-    const body& x = bodies_[i];
-    return x.velocity + (x.angularVelocity ^ (x.turn.R() & surface_[point]));
-}
-
 Foam::point Foam::rigidGroup::initialCentre(const label number) const
 {
     return positions_[number];

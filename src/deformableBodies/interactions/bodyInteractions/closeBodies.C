@@ -24,6 +24,7 @@ void Foam::bodyInteractions::update()
     along_.clear();
     body_.clear();
     X_.clear();
+    V_.clear();
     points_.clear();
     for (const bool surfaces : {true, false})
     {
@@ -75,9 +76,9 @@ void Foam::bodyInteractions::update()
             }
         }
     }
-    for (const participant& p : bodies_)
+    forAll(X_, k)
     {
-        power_ += powerOn(p);
+        power_ += F_.F[k] & V_[k];
     }
     work_ += time_.deltaTValue() * power_;
 }
@@ -90,10 +91,11 @@ void Foam::bodyInteractions::collect(const participant& p)
     {
         const label first = X_.size(), n = nPoints_[p.group];
         X_.setSize(first + n);
+        V_.setSize(first + n);
         points_.setSize(first + n);
         body_.setSize(first + n, body);
         areas_.setSize(n);
-        group.contactSurface(p.place, &X_[first], areas_.data());
+        group.contactSurface(p.place, &X_[first], &V_[first], areas_.data());
         for (label k = 0; k < n; ++k)
         {
             points_[first + k] = {areas_[k], mag(areas_[k]), 0};
@@ -116,29 +118,15 @@ void Foam::bodyInteractions::collect(const participant& p)
         {
             point.size = length / parts * h;
             const scalar onward = (j + 0.5) / parts;
-            parts_.append({k, onward, scalar(1) / parts,
-                           (1 - onward) * v[k] + onward * v[k + 1]});
+            parts_.append({k, onward, scalar(1) / parts});
             along_.append(p.folded ? before + onward * length : -1);
             X_.append((1 - onward) * x[k] + onward * x[k + 1]);
+            V_.append((1 - onward) * v[k] + onward * v[k + 1]);
             points_.append(point);
             body_.append(body);
         }
         before += length;
     }
-}
-
-Foam::scalar Foam::bodyInteractions::powerOn(const participant& p) const
-{
-    scalar power = 0;
-    for (label i = 0; i < p.size; ++i)
-    {
-        const vector& F = F_.F[p.first + i];
-        if (F == vector::zero) continue;
-        power += F & (surfaces_[p.group]
-                          ? groups_[p.group].contactVelocity(p.place, i)
-                          : parts_[p.first + i - firstOfLines_].velocity);
-    }
-    return power;
 }
 
 Foam::UList<Foam::interactingPoint>
