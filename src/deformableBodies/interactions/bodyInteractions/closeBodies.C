@@ -150,14 +150,19 @@ Foam::bodyInteractions::act(closePairs& pairs, const labelUList& body,
         Pstream::parRun() ? copies_.data() : points_.data(), nHere);
     look(pairs, points, deepest);
 
-    vectorField F(nHere, Zero);
+    vectorField atCopies(Pstream::parRun() ? nHere : 0, Zero);
+    vectorField& F = Pstream::parRun() ? atCopies : F_.F;
     for (const interactionModel& model : models_)
     {
         const auto timing(effects_.time(model.type()));
         model.add(pairs, points, F);
     }
-    pairs.addUp(UList<scalar>(reinterpret_cast<scalar*>(F.data()), 3 * nHere),
-                3, reinterpret_cast<scalar*>(F_.F.data()));
+    if (Pstream::parRun())
+    {
+        pairs.addUp(
+            UList<scalar>(reinterpret_cast<scalar*>(F.data()), 3 * nHere), 3,
+            reinterpret_cast<scalar*>(F_.F.data()));
+    }
     return points;
 }
 

@@ -311,18 +311,19 @@ void Foam::closePairs::search(const UList<vector>& X, const labelUList& body,
                      patchPairs_.push_back({b, a, 0, 0});
              });
     pairs_.clear();
-    eachNear(
-        patches_, patchPairs_,
-        [&](const comparison& c, const label a, const label b)
-        {
-            const vector r(nearestImage(grid_, X_[a], X_[b]));
-            if (magSqr(r) >= sqr(range_) ||
-                (body_[a] == body_[b] && mag(along_[a] - along_[b]) <= apart))
-            {
-                return;
-            }
-            pairs_.push_back({a, b, patches_[c.second].held, r});
-        });
+    eachNear(patches_, patchPairs_,
+             [&](const comparison& c, const label a, const label b)
+             {
+                 const cluster& q = patches_[c.second];
+                 const vector r(nearestImage(grid_, X_[a], X_[b]));
+                 if (magSqr(r) >= sqr(range_) ||
+                     (q.body == patches_[c.first].body &&
+                      mag(along_[a] - along_[b]) <= apart))
+                 {
+                     return;
+                 }
+                 pairs_.push_back({a, b, q.held, r});
+             });
 }
 
 void Foam::closePairs::gather(const std::vector<cluster>& parts,
