@@ -3,9 +3,9 @@
 #include "rigidGroup.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
-#include "patchOrder.H"
 #include "judgedRatio.H"
 #include "mathematicalConstants.H"
+#include "patchOrder.H"
 #include <cmath>
 
 namespace Foam
@@ -145,11 +145,11 @@ void Foam::rigidGroup::makeMarkers(const scalar spacing)
                 label(std::ceil(0.5 * shape_.area() / sqr(spacing * h_))));
     shape_.points(n, inset, markers_, areas_);
     shape_.points(n, 0, surface_, areas_);
+
+    // The markers keep the order of the spiral, which is that of their forces in a state
     const labelList order(patchOrder(surface_));
-    for (vectorField* values : {&markers_, &surface_, &areas_})
-    {
-        *values = vectorField(*values, order);
-    }
+    surface_ = vectorField(surface_, order);
+    areas_ = vectorField(areas_, order);
 
     // In cells of any direction: on average over three positions of the body
     const scalar width = 2 * scene_.kernel.reach();
