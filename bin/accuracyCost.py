@@ -6,7 +6,8 @@ its values is what they differ from its limit: Richardson's, where the three fin
 approach one at a steady order, else the finest. Written to the output folder are a table
 (accuracyCost.csv), a picture (accuracyCost.png: error against core seconds, a line for each
 setting, the cheapest marked) and, printed, which combination is the cheapest for 1, 0.3 and
-0.1 %. Errors of different settings are added, costs multiplied.
+0.1 %. Errors of different settings are added, costs multiplied. Core seconds of a run below
+one second are the least of three.
 
 Of settings that are words (nearField, kernel, ...) the last value is taken to be right. The
 case's own value is part of the comparison only where it is among those given. Each run starts from 0.orig where the case has it, else from 0, after blockMesh and
@@ -232,6 +233,7 @@ def draw(file, base, limits, rows, scale):
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
+    from matplotlib import ticker
     figure, axis = plt.subplots(figsize=(7, 5), constrained_layout=True)
     for name, (limit, _, how, levels) in limits.items():
         own = [r for r in rows if r[0] == name and r[3] > 0]
@@ -250,6 +252,10 @@ def draw(file, base, limits, rows, scale):
     axis.text(base["seconds"], 0.98, "the case as it is ", transform=axis.get_xaxis_transform(), fontsize=8,
               color="0.4", rotation=90, ha="right", va="top")
     axis.set(xlabel="core seconds of the run", ylabel="error of %s from this setting alone" % base["quantity"])
+    for part in (axis.xaxis, axis.yaxis):
+        part.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
+        part.set_major_formatter("{x:g}")
+        part.set_minor_formatter(ticker.NullFormatter())
     axis.grid(alpha=0.3)
     axis.margins(0.08)
     axis.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1, 1), title_fontsize=8,

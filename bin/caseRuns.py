@@ -213,6 +213,20 @@ class Runs:
             result = json.load(open(record))
             if (result["changes"], result.get("case")) == ([list(c) for c in changes], self.fingerprint):
                 return dict(result, **self.read(folder))
+        taken = self.once(folder, changes)
+        # Of short runs the quickest of three: a busy machine slows each by chance
+        again = folder + "~"
+        for _ in range(2 if taken < 1 and self.left() > 10 * taken else 0):
+            taken = min(taken, self.once(again, changes))
+            shutil.rmtree(again)
+        result = {"changes": changes, "case": self.fingerprint, "seconds": taken}
+        with open(record + ".part", "w") as f:
+            json.dump(result, f)
+        os.rename(record + ".part", record)
+        return dict(result, **self.read(folder))
+
+    def once(self, folder, changes):
+        """Core seconds of the solver on a copy of the case with changes."""
         shutil.rmtree(folder, ignore_errors=True)
         copyCase(self.case, folder)
         for name, value in changes:
@@ -249,11 +263,7 @@ class Runs:
                     else "status %d" % status, log.name))
         # In hundredths
         times = re.findall(r"ExecutionTime = ([0-9.]+) s", text)
-        result = {"changes": changes, "case": self.fingerprint, "seconds": max(0.01, float(times[-1])) if times else math.nan}
-        with open(record + ".part", "w") as f:
-            json.dump(result, f)
-        os.rename(record + ".part", record)
-        return dict(result, **self.read(folder))
+        return max(0.01, float(times[-1])) if times else math.nan
 
 
 def atOneTime(results):

@@ -5,6 +5,7 @@ import sys
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+from matplotlib import ticker
 
 scenes = [line.rstrip("\n").split("\t") for line in open(sys.argv[1])]
 doc = sys.argv[2]
@@ -13,7 +14,7 @@ text = ["""# What accuracy costs
 
 Made by `tests/bench/accuracyAndCost`, which runs `bin/accuracyCost` on tutorials with other settings; your own case takes the same command. Of each setting that is varied the error is what the
 quantity at the end differs from the setting's own limit (Richardson's value or the finest, as written; that of the finest, hollow in the picture, is how sure the limit is). Errors of different settings add up. Core seconds are those of the run on one core of a busy
-machine: compare them with each other.
+machine (below a second the least of three runs): compare them with each other.
 
 Errors of the cells against values that no mesh has touched, boundary integrals, are in [accuracy.csv](accuracy.csv) and in the picture of the README (`tests/bench/accuracy`). What a run
 states of its own error, in its log and for `accuracy 0.01;`, follows laws that cover these curves and their scatter; they stand in one place each, of capsules
@@ -37,6 +38,10 @@ for (name, title, command), axis in zip(scenes, axes.flat):
             axis.annotate(r[1], (a, b), textcoords="offset points", xytext=(3, 3), fontsize=7)
     axis.axvline(float(own[0][4]), color="0.8", lw=1, zorder=0)
     axis.set(title=title, xlabel="core seconds", ylabel="error of %s [%%]" % quantity)
+    for part in (axis.xaxis, axis.yaxis):
+        part.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
+        part.set_major_formatter("{x:g}")
+        part.set_minor_formatter(ticker.NullFormatter())
     axis.grid(alpha=0.3)
     axis.legend(fontsize=8)
     rows += [[name, quantity, *r] for r in own]
