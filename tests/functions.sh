@@ -73,6 +73,13 @@ entry()
             value=("$1")
             shift
         fi
+        # A line of its own that begins with the name: much quicker than foamDictionary
+        if [[ $action = -set && $name =~ ^[A-Za-z]+$ && ! ${value[0]} =~ [\;\|\&\\$'\n'] ]] &&
+            [ "$(grep -cE "^$name[[:space:]]+[^;{}]+;" "$file")" = 1 ]
+        then
+            sed -i -E "s|^($name[[:space:]]+)[^;{}]+;|\1${value[0]};|" "$file"
+            continue
+        fi
         # foamDictionary sets what is not there, removes what is not there, and
         # drops what follows the end of an entry, all with status 0
         if ! keys=$(dictionary "$file" ${parent:+-entry "$parent"} -keywords)
@@ -179,21 +186,17 @@ shearCase()
     cd "$dir" || return 1
     rm -rf constant/polyMesh
     entry constant/scene cells 24 dt 0.01 endTime 0.2 "$@"
-    entry -add constant/deformableBodies bodies/cells/harmonics 16
+    replace constant/deformableBodies "s/^\( *\)type *capsule;/&\n\1harmonics 16;/"
     entry system/controlDict writeInterval 0.1
     # Runs are compared to round-off: iterate well beyond what physics needs
     tolerances 1e-13
-    entry -add system/fvSolution PIMPLE/flowAlgorithm "${FLOW:-auto}"
+    replace system/fvSolution "/^PIMPLE/,/{/ s/{/{\n    flowAlgorithm ${FLOW:-auto};/"
     cp -r 0.orig 0
     blockMesh > log.blockMesh 2>&1 && setExprFields > log.setExprFields 2>&1
 }
 
 # tolerances <value>: of all linear solvers of the case in here
-tolerances()
-{
-    entry system/fvSolution solvers/p/tolerance "$1" \
-        solvers/pFinal/tolerance "$1" 'solvers/U.*/tolerance' "$1"
-}
+tolerances() { replace system/fvSolution "s/\<tolerance  *[^ ;]*;/tolerance $1;/"; }
 
 # parallel <n> "(nx ny nz)" <command>: decomposed copy of the case in here; with
 # "" the method chooses the blocks. By another method than uniformBoxes: method
