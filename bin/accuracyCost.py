@@ -259,7 +259,7 @@ def draw(file, base, limits, rows, scale):
     axis.grid(alpha=0.3)
     axis.margins(0.08)
     axis.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1, 1), title_fontsize=8,
-                title="hollow: the finest value, its error is how sure the limit is")
+                title="hollow: the finest value,\nits error is how sure the limit is")
     figure.savefig(file, dpi=100)
 
 
