@@ -7,7 +7,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 rows = list(csv.DictReader(open(sys.argv[1])))
-figure, axes = plt.subplots(1, 2, figsize=(10, 4), constrained_layout=True)
+figure, axes = plt.subplots(1, 2, figsize=(12, 4), constrained_layout=True)
 for kind, mark, label in (("capsules", "C0o-", "capsules, 30 %"), ("fibres", "C1s-", "fibres, n L$^3$ = 1"),
                           ("capsulesInOneBox", "C0o--", "capsules in a box of 96$^3$ cells"),
                           ("fibresInOneBox", "C1s--", "fibres in one of 128$^3$")):
@@ -21,6 +21,6 @@ axes[0].set(xlabel="number of bodies", ylabel="ms of a step, the flow included")
 axes[1].set(xlabel="number of bodies", ylabel="share of the interactions [%]", ylim=(0, None))
 for a in axes:
     a.grid(alpha=0.3)
-    a.legend()
+axes[1].legend(*axes[0].get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(1, 1))
 figure.savefig(sys.argv[2] + "/suspension.png", dpi=80)
 shutil.copy(sys.argv[1], sys.argv[2] + "/suspension.csv")
