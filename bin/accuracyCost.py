@@ -220,7 +220,7 @@ def main():
         error, cost, choice = min(fit, key=lambda c: c[1])
         print("For %g %%: %s, some %.3g core seconds (error %s)" % (
             100 * target, ", ".join("%s %s" % c[:2] for c in choice), cost, percent(error)))
-    draw(options.out + "/accuracyCost.png", base, limits, rows, scale)
+    draw(options.out + "/accuracyCost.png", base, rows)
     print("Written: %s/accuracyCost.csv and .png" % options.out)
     for label, why in failures.items():
         print("Not run: %s: %s" % (label, why), file=sys.stderr)
@@ -229,34 +229,22 @@ def main():
     sys.exit(2 if failures else 0)
 
 
-def draw(file, base, limits, rows, scale):
+def draw(file, base, rows):
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
-    from matplotlib import ticker
+    from errorPlot import drawErrors
     figure, axis = plt.subplots(figsize=(7, 5), constrained_layout=True)
-    for name, (limit, _, how, levels) in limits.items():
-        own = [r for r in rows if r[0] == name and r[3] > 0]
-        line, = axis.loglog([r[4] for r in own], [max(r[3], 1e-8) for r in own], "o-", label="%s (%s)" % (name, how))
-        if own and own[-1][1] == levels[-1][0] and not how.startswith("taken"):
-            axis.plot(own[-1][4], max(own[-1][3], 1e-8), "o", color=line.get_color(), mfc="white")
-        for r in own:
-            axis.annotate(r[1], (r[4], max(r[3], 1e-8)), textcoords="offset points", xytext=(4, 4), fontsize=8)
+    drawErrors(axis, rows, base["seconds"], 1, 8, "{setting} ({how})")
     front, least = [], math.inf
     for r in sorted(rows, key=lambda r: r[4]):
         if r[3] < least:
             front.append(r)
             least = r[3]
-    axis.loglog([r[4] for r in front], [max(r[3], 1e-8) for r in front], "k:", lw=1, label="nothing is better and cheaper")
-    axis.axvline(base["seconds"], color="0.7", lw=1)
+    axis.plot([r[4] for r in front], [max(r[3], 1e-8) for r in front], "k:", lw=1, label="nothing is better and cheaper")
     axis.text(base["seconds"], 0.98, "the case as it is ", transform=axis.get_xaxis_transform(), fontsize=8,
               color="0.4", rotation=90, ha="right", va="top")
     axis.set(xlabel="core seconds of the run", ylabel="error of %s from this setting alone" % base["quantity"])
-    for part in (axis.xaxis, axis.yaxis):
-        part.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
-        part.set_major_formatter("{x:g}")
-        part.set_minor_formatter(ticker.NullFormatter())
-    axis.grid(alpha=0.3)
     axis.margins(0.08)
     axis.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1, 1), title_fontsize=8,
                 title="hollow: the finest value,\nits error is how sure the limit is")

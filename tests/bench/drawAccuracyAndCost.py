@@ -1,14 +1,17 @@
 """drawAccuracyAndCost.py scenes.txt doc: doc/accuracy-and-cost.{md,csv,png} from what
 accuracyCost wrote for each scene (name, title, command)."""
 import csv
+import os
 import sys
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-from matplotlib import ticker
+sys.path.insert(0, os.environ["DEFORMABLE_BODIES_DIR"] + "/bin")
+from errorPlot import drawErrors
 
 scenes = [line.rstrip("\n").split("\t") for line in open(sys.argv[1])]
 doc = sys.argv[2]
+plt.rc("lines", markersize=4)
 figure, axes = plt.subplots(3, 3, figsize=(15, 12), constrained_layout=True)
 text = ["""# What accuracy costs
 
@@ -27,22 +30,8 @@ rows = []
 for (name, title, command), axis in zip(scenes, axes.flat):
     own = list(csv.reader(open(name + "/accuracyCost.csv")))
     quantity, own = own[0][2], own[1:]
-    for setting in dict.fromkeys(r[0] for r in own if r[0] != "base"):
-        finest = [r for r in own if r[0] == setting][-1]
-        mine = [r for r in own if r[0] == setting and float(r[3]) > 0]
-        x, y = [float(r[4]) for r in mine], [max(1e2 * float(r[3]), 1e-4) for r in mine]
-        line, = axis.loglog(x, y, "o-", label=setting, markersize=4)
-        if mine and mine[-1] is finest and not finest[5].startswith("taken"):
-            axis.plot(x[-1:], y[-1:], "o", color=line.get_color(), mfc="white", markersize=4)
-        for r, a, b in zip(mine, x, y):
-            axis.annotate(r[1], (a, b), textcoords="offset points", xytext=(3, 3), fontsize=7)
-    axis.axvline(float(own[0][4]), color="0.8", lw=1, zorder=0)
+    drawErrors(axis, [r for r in own if r[0] != "base"], float(own[0][4]), 100, 7)
     axis.set(title=title, xlabel="core seconds", ylabel="error of %s [%%]" % quantity)
-    for part in (axis.xaxis, axis.yaxis):
-        part.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
-        part.set_major_formatter("{x:g}")
-        part.set_minor_formatter(ticker.NullFormatter())
-    axis.grid(alpha=0.3)
     axis.legend(fontsize=8)
     rows += [[name, quantity, *r] for r in own]
     told = [line.rstrip() for line in open(name + ".log") if not line.startswith(("[", "Written"))]

@@ -123,7 +123,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
         within.insideBodies = true;
         groups_.append(bodyGroup::New(inside, nuclei, within).ptr());
         groups_.last().putInto(host, groups_[host]);
-        if (!(groups_[host].hasNearField() && groups_.last().hasNearField()))
+        if (!groups_.last().hasNearPartner())
         {
             const scalar gap = radiusOf(groups_[host].points(-1)) -
                                radiusOf(groups_.last().points(-1));
