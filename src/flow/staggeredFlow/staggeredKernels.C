@@ -5,99 +5,121 @@
 #include "staggeredFlow.H"
 #include <numeric>
 
-// Increments of a row of cells, component D, without the implicit factors, in
-// place of the force; the new explicit terms replace the last ones. All nine
-// convective fluxes have one form: the component E that carries, averaged along D,
-// times component D averaged along E
-template<int D, bool Convection, bool Variable>
-void Foam::staggeredFlow::makeIncrement(const vector& r, const scalar dt,
-                                        const stage& s, const label q,
-                                        const label n)
+namespace
 {
-    const label nx = box_.size.x();
-    constexpr int E = (D + 1) % 3, G = (D + 2) % 3;
-    const label s0 = 1, s1 = block_.stride(1), s2 = block_.stride(2);
-    const label sD = block_.stride(D), sE = block_.stride(E),
-                sG = block_.stride(G);
-    const double r0 = r[0], r1 = r[1], r2 = r[2];
-    const double q0 = 0.25 * r0, q1 = 0.25 * r1, q2 = 0.25 * r2;
-    const double L0 = r0 * r0, L1 = r1 * r1, L2 = r2 * r2;
-    const double rD = r[D], rE = r[E], rG = r[G];
+using namespace Foam;
 
+//- Terms of the momentum equation at place i of a row of cells, component D
+struct momentumRow
+{
+    //- One over h, and the steps to the next places in each direction
+    double per[3];
+    label step[3];
+
+    //- The velocity; nu and its values at the edges along each direction, what of nu is
+    //  treated otherwise
+    const double *u[3], *nu, *nuEdge[3];
+    double nu0;
+
+    double laplacian(const int D, const label i) const
+    {
+        const double* x = u[D] + i;
+        const auto along = [&](const int d)
+        { return sqr(per[d]) * (x[step[d]] - 2 * x[0] + x[-step[d]]); };
+        return along(0) + along(1) + along(2);
+    }
+
+    //- All nine fluxes have one form: the component that carries, averaged along D,
+    //  times component D averaged along the direction of the carrying one
+    double convection(const int D, const label i) const
+    {
+        const double* x = u[D] + i;
+        const auto along = [&](const int d)
+        {
+            const double* carrier = u[d] + i;
+            const label s = step[D], t = step[d];
+            return 0.25 * per[d] *
+                   ((carrier[0] + carrier[-s]) * (x[0] + x[-t]) -
+                    (carrier[t] + carrier[t - s]) * (x[0] + x[t]));
+        };
+        return along(0) + along(1) + along(2);
+    }
+
+    //- The viscous force of nu - nu0
+    double stress(const int D, const label i) const
+    {
+        const double *x = u[D] + i, *centre = nu + i;
+        const label s = step[D];
+        const auto across = [&](const int d)
+        {
+            const double *y = u[d] + i, *edge = nuEdge[3 - D - d] + i;
+            const label t = step[d];
+            return per[d] *
+                   ((edge[t] - nu0) * (per[d] * (x[t] - x[0]) +
+                                       per[D] * (y[t] - y[t - s])) -
+                    (edge[0] - nu0) *
+                        (per[d] * (x[0] - x[-t]) + per[D] * (y[0] - y[-s])));
+        };
+        return 2 * sqr(per[D]) * ((centre[0] - nu0) * (x[s] - x[0]) -
+                                  (centre[-s] - nu0) * (x[0] - x[-s])) +
+               across((D + 1) % 3) + across((D + 2) % 3);
+    }
+};
+} // namespace
+
+// Without the implicit factors, in place of the force; the new explicit terms replace the
+// last ones. All increments are made from the velocity before: they wait until the last
+// is done. The components of a cell follow each other: each flux that two of them share
+// is computed once
+template<bool Convection, bool Variable>
+void Foam::staggeredFlow::makeIncrements(const scalar dt, const stage& s)
+{
     // nu L u is among the explicit terms or among the others
     const double among = explicit_ ? nuMax_ : 0, nu0 = nuMax_ - among;
     const double now = s.now, before = s.before, rest = s.others,
                  others = rest * nu0;
-    const double* u = u_[D].data() + q;
-    const double* a = u_[0].data() + q;
-    const double* b = u_[1].data() + q;
-    const double* c = u_[2].data() + q;
-    const double* e = u_[E].data() + q;
-    const double* g = u_[G].data() + q;
-    const double* p = pressure_.data() + q;
-    const double* nu = Variable ? nu_.data() + q : nullptr;
-    const double* nuDE = Variable ? nuEdge_[G].data() + q : nullptr;
-    const double* nuDG = Variable ? nuEdge_[E].data() + q : nullptr;
-    double* last = last_[D].data() + n;
-    double* out = increment()[D].data() + n;
-#pragma GCC ivdep
-    for (label i = 0; i < nx; ++i)
-    {
-        const double x = u[i];
-        const double x0 = u[i - s0], X0 = u[i + s0];
-        const double x1 = u[i - s1], X1 = u[i + s1];
-        const double x2 = u[i - s2], X2 = u[i + s2];
-        const double diffusion = L0 * (X0 - 2 * x + x0) +
-                                 L1 * (X1 - 2 * x + x1) +
-                                 L2 * (X2 - 2 * x + x2);
-        double terms = 0;
-        if (Convection)
-        {
-            terms = q0 * ((a[i] + a[i - sD]) * (x + x0) -
-                          (a[i + s0] + a[i + s0 - sD]) * (x + X0)) +
-                    q1 * ((b[i] + b[i - sD]) * (x + x1) -
-                          (b[i + s1] + b[i + s1 - sD]) * (x + X1)) +
-                    q2 * ((c[i] + c[i - sD]) * (x + x2) -
-                          (c[i + s2] + c[i + s2 - sD]) * (x + X2));
-        }
-        if (Variable)
-        {
-            const auto strain = [](const double* w, const label i,
-                                   const label s) { return w[i] - w[i - s]; };
-            terms += 2 * sqr(rD) *
-                         ((nu[i] - nu0) * strain(u, i + sD, sD) -
-                          (nu[i - sD] - nu0) * strain(u, i, sD)) +
-                     rE * ((nuDE[i + sE] - nu0) * (rE * strain(u, i + sE, sE) +
-                                                   rD * strain(e, i + sE, sD)) -
-                           (nuDE[i] - nu0) * (rE * strain(u, i, sE) +
-                                              rD * strain(e, i, sD))) +
-                     rG * ((nuDG[i + sG] - nu0) * (rG * strain(u, i + sG, sG) +
-                                                   rD * strain(g, i + sG, sD)) -
-                           (nuDG[i] - nu0) *
-                               (rG * strain(u, i, sG) + rD * strain(g, i, sD)));
-        }
-        else
-        {
-            terms += among * diffusion;
-        }
-        out[i] = dt * (now * terms + before * last[i] + others * diffusion +
-                       rest * (out[i] - rD * (p[i] - p[i - sD])));
-        last[i] = terms;
-    }
-}
-
-// All increments are made from the velocity before: they wait until the last is
-// done. The three components of a row follow each other, while it is in the cache
-template<bool Convection, bool Variable>
-void Foam::staggeredFlow::makeIncrements(const scalar dt, const stage& s)
-{
-    const vector r(1 / grid_.h().x(), 1 / grid_.h().y(), 1 / grid_.h().z());
+    const label nx = box_.size.x();
     block_.rows(
-        [&](const label q, const label n)
+        [=](const label q, const label n)
         {
-            makeIncrement<0, Convection, Variable>(r, dt, s, q, n);
-            makeIncrement<1, Convection, Variable>(r, dt, s, q, n);
-            makeIncrement<2, Convection, Variable>(r, dt, s, q, n);
+            momentumRow row;
+            double *last[3], *out[3];
+            for (direction d = 0; d < 3; ++d)
+            {
+                row.per[d] = 1 / grid_.h()[d];
+                row.step[d] = block_.stride(d);
+                row.u[d] = u_[d].data() + q;
+                if (Variable) row.nuEdge[d] = nuEdge_[d].data() + q;
+                last[d] = last_[d].data() + n;
+                out[d] = increment()[d].data() + n;
+            }
+            if (Variable) row.nu = nu_.data() + q;
+            row.nu0 = nu0;
+            const double* p = pressure_.data() + q;
+#pragma GCC ivdep
+            for (label i = 0; i < nx; ++i)
+            {
+                double diffusion[3], terms[3];
+#pragma GCC unroll 3
+                for (int d = 0; d < 3; ++d)
+                {
+                    diffusion[d] = row.laplacian(d, i);
+                    terms[d] = (Convection ? row.convection(d, i) : 0) +
+                               (Variable ? row.stress(d, i)
+                                         : among * diffusion[d]);
+                }
+#pragma GCC unroll 3
+                for (int d = 0; d < 3; ++d)
+                {
+                    out[d][i] =
+                        dt * (now * terms[d] + before * last[d][i] +
+                              others * diffusion[d] +
+                              rest * (out[d][i] -
+                                      row.per[d] *
+                                          (p[i] - p[i - row.step[d]])));
+                    last[d][i] = terms[d];
+                }
+            }
         });
 
     // The velocity on a wall stays
