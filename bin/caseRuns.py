@@ -218,11 +218,12 @@ class Runs:
         again = folder + "~"
         for _ in range(2 if taken < 1 and self.left() > 10 * taken else 0):
             more = self.once(again, changes)
-            slower = folder if more < taken else again
-            shutil.rmtree(slower)
-            if slower == folder:
+            if more < taken:
                 taken = more
+                shutil.rmtree(folder)
                 os.rename(again, folder)
+            else:
+                shutil.rmtree(again)
         result = {"changes": changes, "case": self.fingerprint, "seconds": taken}
         with open(record + ".part", "w") as f:
             json.dump(result, f)

@@ -78,23 +78,27 @@ void Foam::staggeredFlow::makeIncrements(const scalar dt, const stage& s)
     const double among = explicit_ ? nuMax_ : 0, nu0 = nuMax_ - among;
     const double now = s.now, before = s.before, rest = s.others,
                  others = rest * nu0;
+    momentumRow all;
+    all.nu0 = nu0;
+    for (direction d = 0; d < 3; ++d)
+    {
+        all.per[d] = 1 / grid_.h()[d];
+        all.step[d] = block_.stride(d);
+    }
     const label nx = box_.size.x();
     block_.rows(
         [=](const label q, const label n)
         {
-            momentumRow row;
+            momentumRow row(all);
             double *last[3], *out[3];
             for (direction d = 0; d < 3; ++d)
             {
-                row.per[d] = 1 / grid_.h()[d];
-                row.step[d] = block_.stride(d);
                 row.u[d] = u_[d].data() + q;
                 if (Variable) row.nuEdge[d] = nuEdge_[d].data() + q;
                 last[d] = last_[d].data() + n;
                 out[d] = increment()[d].data() + n;
             }
             if (Variable) row.nu = nu_.data() + q;
-            row.nu0 = nu0;
             const double* p = pressure_.data() + q;
 #pragma GCC ivdep
             for (label i = 0; i < nx; ++i)
