@@ -182,6 +182,7 @@ void Foam::staggeredFlow::takeOver()
     }
     if (changed(1) || changed(0))
     {
+        rates_.clear();
         if (changed(1))
         {
             block_.rows(

@@ -333,41 +333,11 @@ void Foam::staggeredFlow::restore(const snapshot& s)
     lastDt_ = s.lastDt;
     walls_ = s.walls;
     wallsAhead_ = s.walls;
+    rates_.clear();
     responseTo_ = -1;
     filled_ = false;
     force_.clear();
     if (history_) history_->rename(historyName(explicit_));
-}
-
-Foam::scalar Foam::staggeredFlow::CourantNo(const scalar dt) const
-{
-    // Largest by place in a row: these do not wait for each other. NaN stays
-    const vector r(1 / grid_.h().x(), 1 / grid_.h().y(), 1 / grid_.h().z());
-    array rates(box_.size.x(), 0);
-    block_.rows(
-        [&, r](const label q, const label)
-        {
-            const double* a = u_[0].data() + q;
-            const double* b = u_[1].data() + q;
-            const double* c = u_[2].data() + q;
-            double* largest = rates.data();
-#pragma GCC ivdep
-            for (label i = 0; i < box_.size.x(); ++i)
-            {
-                const double rate = std::abs(a[i]) * r.x() +
-                                    std::abs(b[i]) * r.y() +
-                                    std::abs(c[i]) * r.z();
-                const bool take = (rate > largest[i]) | (rate != rate);
-                largest[i] = take ? rate : largest[i];
-            }
-        });
-    scalar largest = 0;
-    for (const double rate : rates)
-    {
-        largest = max(largest, rate < VGREAT ? rate : VGREAT);
-    }
-    reduce(largest, maxOp<scalar>());
-    return largest < VGREAT ? dt * largest : GREAT * GREAT;
 }
 
 Foam::scalar Foam::staggeredFlow::divergence()

@@ -9,6 +9,12 @@ namespace
 {
 using namespace Foam;
 
+//- The larger of two that are not negative. NaN stays
+inline double larger(const double a, const double b)
+{
+    return (b > a) | (b != b) ? b : a;
+}
+
 //- Terms of the momentum equation at place i of a row of cells, component D
 struct momentumRow
 {
@@ -299,7 +305,8 @@ void Foam::staggeredFlow::project()
                  r2 = 1 / (dt * h.z());
     const label s1 = block_.stride(1), s2 = block_.stride(2);
 
-    updateVelocity();
+    // Of walls above the velocity is zero since predict()
+    block_.updateAbove({u_[0].data(), u_[1].data(), u_[2].data()});
     block_.rows(
         [&](const label q, const label)
         {
@@ -318,17 +325,21 @@ void Foam::staggeredFlow::project()
     const FixedList<scalar, 3> inverseSqr(
         {1 / sqr(h.x()), 1 / sqr(h.y()), 1 / sqr(h.z())});
     poisson_->solve(correction_.data(), correction_.data(), 0, inverseSqr);
-    block_.update(correction_.data());
+    block_.updateBelow(correction_.data());
     // Beyond walls as inside: the velocity on a wall stays
     block_.extend(correction_.data());
 
-    const double d0 = dt / h.x(), d1 = dt / h.y(), d2 = dt / h.z();
+    rates_.assign(nx, 0);
+    const double d0 = dt / h.x(), d1 = dt / h.y(), d2 = dt / h.z(),
+                 h0 = 1 / h.x(), h1 = 1 / h.y(), h2 = 1 / h.z();
     block_.rows(
         [&](const label q, const label)
         {
             double* a = u_[0].data() + q;
             double* b = u_[1].data() + q;
             double* c = u_[2].data() + q;
+            double* p = pressure_.data() + q;
+            double* rates = rates_.data();
             const double* f = correction_.data() + q;
 #pragma GCC ivdep
             for (label i = 0; i < nx; ++i)
@@ -336,17 +347,52 @@ void Foam::staggeredFlow::project()
                 a[i] -= d0 * (f[i] - f[i - 1]);
                 b[i] -= d1 * (f[i] - f[i - s1]);
                 c[i] -= d2 * (f[i] - f[i - s2]);
+                p[i] += f[i];
+                rates[i] = larger(rates[i], std::abs(a[i]) * h0 +
+                                                std::abs(b[i]) * h1 +
+                                                std::abs(c[i]) * h2);
             }
         });
-    const label size = block_.size();
-    double* p = pressure_.data();
-    const double* change = correction_.data();
-#pragma GCC ivdep
-    for (label q = 0; q < size; ++q)
+    for (direction d = 0; d < 3; ++d)
     {
-        p[q] += change[q];
+        block_.layerRows(
+            d, -1,
+            [&](const label q, const label step, const label n)
+            {
+                for (label i = q; i < q + n * step; i += step)
+                {
+                    pressure_[i] += correction_[i];
+                }
+            });
     }
     if (++stage_ < nStages()) return;
     gradient_ /= stepDt_;
     if (RK3_) force_.clear();
+}
+
+// Largest by place in a row: these do not wait for each other
+Foam::scalar Foam::staggeredFlow::CourantNo(const scalar dt) const
+{
+    if (rates_.empty())
+    {
+        rates_.assign(box_.size.x(), 0);
+        const vector& h = grid_.h();
+        block_.rows(
+            [&](const label q, const label)
+            {
+                for (label i = 0; i < box_.size.x(); ++i)
+                {
+                    rates_[i] = larger(rates_[i], mag(u_[0][q + i]) / h.x() +
+                                                      mag(u_[1][q + i]) / h.y() +
+                                                      mag(u_[2][q + i]) / h.z());
+                }
+            });
+    }
+    scalar largest = 0;
+    for (const double rate : rates_)
+    {
+        largest = max(largest, rate < VGREAT ? rate : VGREAT);
+    }
+    reduce(largest, maxOp<scalar>());
+    return largest < VGREAT ? dt * largest : GREAT * GREAT;
 }

@@ -35,6 +35,15 @@ Foam::haloBlock::haloBlock(const uniformGrid& grid)
         }
     };
 
+    const auto made = [&]()
+    {
+        const indexExchange exchange(rank, theirs, ours);
+        rank.clear();
+        theirs.clear();
+        ours.clear();
+        return exchange;
+    };
+
     // The two z layers whole; then y without their edges; then x
     for (const direction d : {2, 1, 0})
     {
@@ -51,7 +60,30 @@ Foam::haloBlock::haloBlock(const uniformGrid& grid)
                   });
         }
     }
-    exchange_.reset(new indexExchange(rank, theirs, ours));
+    exchange_ = made();
+
+    const auto face = [&](const direction d, const label at)
+    {
+        layer(d, at,
+              [&](const labelVector& l)
+              {
+                  for (direction e = 0; e < 3; ++e)
+                  {
+                      if (e != d && (l[e] < 0 || l[e] >= box_.size[e])) return;
+                  }
+                  visit(l);
+              });
+    };
+    for (direction d = 0; d < 3; ++d)
+    {
+        face(d, -1);
+    }
+    below_ = made();
+    for (direction d = 0; d < 3; ++d)
+    {
+        face(d, box_.size[d]);
+        above_[d] = made();
+    }
 }
 
 void Foam::haloBlock::extend(scalar* f) const

@@ -47,3 +47,62 @@ TEST(HaloBlock, fillsItsLayer)
     test::expectBelow("halo against the cells it stands for",
                       returnReduce(worst, maxOp<scalar>()), 0);
 }
+
+// The places next to cells alone: those below of one array, those above in each direction of
+// the array of that direction, and no others
+TEST(HaloBlock, fillsFaces)
+{
+    if (!blocks()) return;
+    const haloBlock halo(grid());
+    const cellBox& box = halo.box();
+    FixedList<scalarField, 3> all, parts;
+    for (direction d = 0; d < 3; ++d)
+    {
+        all[d] = scalarField(halo.size(), GREAT);
+        for (label i = 0; i < box.count(); ++i)
+        {
+            const labelVector c(box.cell(i));
+            all[d][halo.place(c - box.lo)] =
+                noise(vector(c.x(), c.y(), c.z() + 100 * d));
+        }
+        parts[d] = all[d];
+        halo.update(all[d].data());
+    }
+    const scalarField before(parts[0]);
+    halo.updateBelow(parts[0].data());
+    const scalarField below(parts[0]);
+    parts[0] = before;
+    halo.updateAbove({parts[0].data(), parts[1].data(), parts[2].data()});
+
+    label wrong = 0;
+    labelVector l;
+    for (l.z() = -1; l.z() <= box.size.z(); ++l.z())
+    {
+        for (l.y() = -1; l.y() <= box.size.y(); ++l.y())
+        {
+            for (l.x() = -1; l.x() <= box.size.x(); ++l.x())
+            {
+                label under = 0, over = 0;
+                direction last = 0;
+                for (direction d = 0; d < 3; ++d)
+                {
+                    under += l[d] < 0;
+                    over += l[d] >= box.size[d];
+                    if (l[d] >= box.size[d]) last = d;
+                }
+                if (under + over == 0) continue;
+                const label q = halo.place(l);
+                wrong += below[q] != (under + over == 1 && under ? all[0][q]
+                                                                 : GREAT);
+                for (direction d = 0; d < 3; ++d)
+                {
+                    wrong += parts[d][q] !=
+                             (under + over == 1 && over && last == d
+                                  ? all[d][q]
+                                  : GREAT);
+                }
+            }
+        }
+    }
+    EXPECT_EQ(returnReduce(wrong, sumOp<label>()), 0);
+}
