@@ -152,7 +152,7 @@ void Foam::bodyWriter::log(const word& name,
         }
         ++k;
     }
-    Info << endl;
+    Info << nl;
 }
 
 // How all bodies of a group are drawn, known to the first rank, which may have
