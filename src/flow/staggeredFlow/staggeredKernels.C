@@ -9,12 +9,6 @@ namespace
 {
 using namespace Foam;
 
-//- The larger of two that are not negative. NaN stays
-inline double larger(const double a, const double b)
-{
-    return (b > a) | (b != b) ? b : a;
-}
-
 //- Terms of the momentum equation at place i of a row of cells, component D
 struct momentumRow
 {
@@ -330,8 +324,7 @@ void Foam::staggeredFlow::project()
     block_.extend(correction_.data());
 
     rates_.assign(nx, 0);
-    const double d0 = dt / h.x(), d1 = dt / h.y(), d2 = dt / h.z(),
-                 h0 = 1 / h.x(), h1 = 1 / h.y(), h2 = 1 / h.z();
+    const double d0 = dt / h.x(), d1 = dt / h.y(), d2 = dt / h.z();
     block_.rows(
         [&](const label q, const label)
         {
@@ -339,7 +332,6 @@ void Foam::staggeredFlow::project()
             double* b = u_[1].data() + q;
             double* c = u_[2].data() + q;
             double* p = pressure_.data() + q;
-            double* rates = rates_.data();
             const double* f = correction_.data() + q;
 #pragma GCC ivdep
             for (label i = 0; i < nx; ++i)
@@ -348,10 +340,8 @@ void Foam::staggeredFlow::project()
                 b[i] -= d1 * (f[i] - f[i - s1]);
                 c[i] -= d2 * (f[i] - f[i - s2]);
                 p[i] += f[i];
-                rates[i] = larger(rates[i], std::abs(a[i]) * h0 +
-                                                std::abs(b[i]) * h1 +
-                                                std::abs(c[i]) * h2);
             }
+            takeRates(q);
         });
     for (direction d = 0; d < 3; ++d)
     {
@@ -368,31 +358,4 @@ void Foam::staggeredFlow::project()
     if (++stage_ < nStages()) return;
     gradient_ /= stepDt_;
     if (RK3_) force_.clear();
-}
-
-// Largest by place in a row: these do not wait for each other
-Foam::scalar Foam::staggeredFlow::CourantNo(const scalar dt) const
-{
-    if (rates_.empty())
-    {
-        rates_.assign(box_.size.x(), 0);
-        const vector& h = grid_.h();
-        block_.rows(
-            [&](const label q, const label)
-            {
-                for (label i = 0; i < box_.size.x(); ++i)
-                {
-                    rates_[i] = larger(rates_[i], mag(u_[0][q + i]) / h.x() +
-                                                      mag(u_[1][q + i]) / h.y() +
-                                                      mag(u_[2][q + i]) / h.z());
-                }
-            });
-    }
-    scalar largest = 0;
-    for (const double rate : rates_)
-    {
-        largest = max(largest, rate < VGREAT ? rate : VGREAT);
-    }
-    reduce(largest, maxOp<scalar>());
-    return largest < VGREAT ? dt * largest : GREAT * GREAT;
 }
