@@ -103,9 +103,10 @@ bool Foam::functionObjects::energySpectrum::execute()
     for (direction d = 0; d < 3; ++d)
     {
         t.forward(u[d].cdata());
-        const double* row = t.transformThird();
+        t.transformThird();
         for (label k = 0; k < t.nThird; ++k)
         {
+            const double* row = t.thirdMode(k);
             for (label j = rows.first; j < rows.first + rows.n; ++j)
             {
                 const scalar w = 0.5 * third.weight[k] * slow.weight[j] / nAll;

@@ -185,10 +185,10 @@ Foam::planeTransform::planeTransform(const uniformGrid& grid,
 
     // Columns are transformed by twos: one of zeros follows an odd number
     complexModes = sides[slow].periodic && sides[fast].periodic;
-    const label nColumns = complexModes ? nFast + nFast % 2 : nFast;
+    nColumns_ = nFast + nFast % 2;
     nSlowModes = complexModes ? nSlow / 2 + 1 : nSlow;
-    rowLength = complexModes ? 2 * nColumns : nFast;
-    planeSize_ = nSlowModes * rowLength;
+    rowLength = complexModes ? 2 * nColumns_ : rowOfValues();
+    planeSize_ = max(nSlowModes * rowLength, nSlow * rowOfValues());
 
     const label me = Pstream::myProcNo();
     firstPlane = firstOf(nThird, me);
@@ -208,7 +208,7 @@ Foam::planeTransform::planeTransform(const uniformGrid& grid,
         const bool own = to == me && third != 0;
         const label from = places.size() ? places[celli] : celli;
         const label at =
-            c[fast] + nColumns * c[slow] + (own ? 0 : planeSize_ * plane);
+            c[fast] + rowOfValues() * c[slow] + (own ? 0 : planeSize_ * plane);
         if (!own) rank.append(to);
         (own ? ownSource[plane] : source).append(from);
         (own ? ownPlace[plane] : place).append(at);
@@ -224,30 +224,32 @@ Foam::planeTransform::planeTransform(const uniformGrid& grid,
     normalisation = s.normalisation * f.normalisation;
     eigenSlow = eigenvalues(sides[slow], nSlow);
     eigenFast = eigenvalues(sides[fast], nFast);
-    if (complexModes)
+    eigenFast.resize(rowLength, 1);
+    for (label i = 2 * nFast - 1; i > 0 && complexModes; --i)
     {
-        const std::vector<double> eigen(eigenFast);
-        eigenFast.assign(rowLength, 1);
-        for (label i = 0; i < 2 * nFast; ++i)
-        {
-            eigenFast[i] = eigen[i / 2];
-        }
+        eigenFast[i] = eigenFast[i / 2];
     }
     if (!nPlanes) return;
 
     fftw_plan &fwd = plans_->forward, &bwd = plans_->backward;
     double* x = plans_->planes;
     const int ns = nSlow, nf = nFast;
+    const int row = rowOfValues();
     if (!complexModes)
     {
-        // Planes of an odd size do not begin at even places
-        const unsigned how =
-            FFTW_ESTIMATE | (planeSize_ % 2 ? FFTW_UNALIGNED : 0);
-        fwd = fftw_plan_r2r_2d(ns, nf, x, x, s.forward, f.forward, how);
-        bwd = fftw_plan_r2r_2d(ns, nf, x, x, s.backward, f.backward, how);
+        const auto plan = [&](const fftw_r2r_kind slowKind,
+                              const fftw_r2r_kind fastKind)
+        {
+            const int n[2] = {ns, nf}, rows[2] = {ns, row};
+            const fftw_r2r_kind kinds[2] = {slowKind, fastKind};
+            return fftw_plan_many_r2r(2, n, 1, x, rows, 1, 0, x, rows, 1, 0,
+                                      kinds, FFTW_ESTIMATE);
+        };
+        fwd = plan(s.forward, f.forward);
+        bwd = plan(s.backward, f.backward);
         return;
     }
-    plans_->work = zeros(nSlow * nColumns);
+    double* w = plans_->work = zeros(ns * row);
     const auto plan = [](const int n, const int number, const int stride,
                          const int next, double* from, double* to,
                          const int sign)
@@ -256,12 +258,11 @@ Foam::planeTransform::planeTransform(const uniformGrid& grid,
                                   stride, next, complexAt(to), nullptr, stride,
                                   next, sign, FFTW_ESTIMATE);
     };
-    const int m = nColumns / 2, row = rowLength / 2;
-    double* w = plans_->work;
-    plans_->columns = plan(ns, m, m, 1, x, w, FFTW_FORWARD);
-    fwd = plan(nf, nSlowModes, 1, row, x, x, FFTW_FORWARD);
-    bwd = plan(nf, nSlowModes, 1, row, x, x, FFTW_BACKWARD);
-    plans_->columnsBack = plan(ns, m, m, 1, w, x, FFTW_BACKWARD);
+    const int pairs = nColumns_ / 2, modes = rowLength / 2;
+    plans_->columns = plan(ns, pairs, row / 2, 1, x, w, FFTW_FORWARD);
+    fwd = plan(nf, nSlowModes, 1, modes, x, x, FFTW_FORWARD);
+    bwd = plan(nf, nSlowModes, 1, modes, x, x, FFTW_BACKWARD);
+    plans_->columnsBack = plan(ns, pairs, row / 2, 1, w, x, FFTW_BACKWARD);
 }
 
 Foam::planeTransform::~planeTransform() {}
@@ -282,14 +283,13 @@ void Foam::planeTransform::transform(double* plane)
                      complexAt(plans_->work));
 
     // C = A + i B of mode l and its conjugate n - l, A and B those of the columns
-    const label nColumns = rowLength / 2;
     for (label l = 0; l < nSlowModes; ++l)
     {
-        const double* c = plans_->work + nColumns * l;
-        const double* d = plans_->work + nColumns * ((nSlow - l) % nSlow);
+        const double* c = plans_->work + rowOfValues() * l;
+        const double* d = plans_->work + rowOfValues() * ((nSlow - l) % nSlow);
         double* row = plane + rowLength * l;
 #pragma GCC ivdep
-        for (label i = 0; i < nColumns; i += 2)
+        for (label i = 0; i < nColumns_; i += 2)
         {
             row[2 * i] = 0.5 * (c[i] + d[i]);
             row[2 * i + 1] = 0.5 * (c[i + 1] - d[i + 1]);
@@ -309,14 +309,13 @@ void Foam::planeTransform::transformBack(double* plane)
         return;
     }
     fftw_execute_dft(plans_->backward, complexAt(plane), complexAt(plane));
-    const label nColumns = rowLength / 2;
     for (label l = 0; l < nSlowModes; ++l)
     {
-        double* c = plans_->work + nColumns * l;
-        double* d = plans_->work + nColumns * ((nSlow - l) % nSlow);
+        double* c = plans_->work + rowOfValues() * l;
+        double* d = plans_->work + rowOfValues() * ((nSlow - l) % nSlow);
         const double* row = plane + rowLength * l;
 #pragma GCC ivdep
-        for (label i = 0; i < nColumns; i += 2)
+        for (label i = 0; i < nColumns_; i += 2)
         {
             c[i] = row[2 * i] - row[2 * i + 3];
             c[i + 1] = row[2 * i + 1] + row[2 * i + 2];
@@ -354,41 +353,49 @@ Foam::planeTransform::rows Foam::planeTransform::dealtTo(const label rank) const
     return {first, firstOf(nSlowModes, rank + 1) - first};
 }
 
-const double* Foam::planeTransform::transformThird()
+void Foam::planeTransform::transformThird()
 {
     const int n[1] = {int(nThird)};
-    const int stride = dealtTo(Pstream::myProcNo()).n * rowLength;
+    const int number = dealtTo(Pstream::myProcNo()).n * rowLength;
     if (!plans_->lines)
     {
+        thirdStride_ = Pstream::parRun() ? number : planeSize_;
         plans_->lines =
-            Pstream::parRun() ? zeros(nThird * stride) : plans_->planes;
+            Pstream::parRun() ? zeros(nThird * number) : plans_->planes;
         if (Pstream::parRun())
         {
-            DynamicList<label> rank, place;
+            DynamicList<label> rank, place, source;
             for (label k = 0; k < nPlanes; ++k)
             {
                 for (label to = 0; to < Pstream::nProcs(); ++to)
                 {
-                    const label each = dealtTo(to).n * rowLength;
+                    const rows dealt(dealtTo(to));
+                    const label each = dealt.n * rowLength;
                     for (label i = 0; i < each; ++i)
                     {
                         rank.append(to);
                         place.append((firstPlane + k) * each + i);
+                        source.append(k * planeSize_ + dealt.first * rowLength +
+                                      i);
                     }
                 }
             }
-            toLines_.reset(new indexExchange(rank, place));
+            toLines_.reset(new indexExchange(rank, place, source));
         }
         const fftw_r2r_kind kind[1] = {FFTW_R2HC};
         double* r = plans_->lines;
-        if (stride)
+        if (number)
         {
-            plans_->third =
-                fftw_plan_many_r2r(1, n, stride, r, nullptr, stride, 1, r,
-                                   nullptr, stride, 1, kind, FFTW_ESTIMATE);
+            plans_->third = fftw_plan_many_r2r(
+                1, n, number, r, nullptr, thirdStride_, 1, r, nullptr,
+                thirdStride_, 1, kind, FFTW_ESTIMATE);
         }
     }
     if (toLines_) toLines_->forward(plans_->planes, plans_->lines);
     if (plans_->third) fftw_execute(plans_->third);
-    return plans_->lines;
+}
+
+const double* Foam::planeTransform::thirdMode(const label k) const
+{
+    return plans_->lines + k * thirdStride_;
 }
