@@ -23,11 +23,9 @@ Foam::fastHelmholtz::fastHelmholtz(const uniformGrid& grid,
                 transform_.rowLength, 1.0);
     std::fill_n(eigenOfFirst_.data(), transform_.complexModes ? 2 : 1, 1.0);
 
-    const bool cyclic = sides[transform_.third].periodic;
-    const label mine = pieces_.mine();
-    coupled_ = cyclic || pieces_.apart();
-    backwards_ = !cyclic && mine > 0 && mine == pieces_.nPieces() - 1;
-    follows_ = cyclic || (mine > 0 && !backwards_);
+    coupled_ = sides[transform_.third].periodic || pieces_.apart();
+    backwards_ = pieces_.backwards();
+    follows_ = pieces_.follows();
 }
 
 bool Foam::fastHelmholtz::singular(const scalar sigma) const

@@ -30,9 +30,9 @@ Foam::pieceCoupling::pieceCoupling(const planeTransform& transform,
         if (rank == Pstream::myProcNo()) mine_ = holders_.size();
         holders_.append(rank);
     }
-    connect(values_, NVALUES, true);
-    connect(coefficients_, NCOEFFICIENTS, false);
-    connect(told_, NTOLD, true);
+    connect(values_, NVALUES, BEFORE, true);
+    connect(coefficients_, NCOEFFICIENTS, BEFOREDIAGONAL, false);
+    connect(told_, NTOLD, PREVIOUS, true);
 
     const label m = transform_.rowLength;
     work_.resize((4 + 3 * nPieces()) * m, 0);
@@ -40,6 +40,7 @@ Foam::pieceCoupling::pieceCoupling(const planeTransform& transform,
 }
 
 void Foam::pieceCoupling::connect(rows& r, const label each,
+                                  const label beforePiece,
                                   const bool constants) const
 {
     const label n = each * transform_.rowLength, all = each * keptOfAll();
@@ -58,6 +59,8 @@ void Foam::pieceCoupling::connect(rows& r, const label each,
         const planeTransform::rows dealt(transform_.dealtTo(to));
         for (label i = 0; i < n * dealt.n; ++i)
         {
+            const label row = i / transform_.rowLength % each;
+            if (row == beforePiece && !follows()) continue;
             travels(to, n * dealt.n * mine_ + i, n * dealt.first + i);
         }
         if (!constants || !holdsFirst(dealt)) continue;
