@@ -95,7 +95,7 @@ void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
         }
     }
     const closePairs& pairs = *linePairs_;
-    const vectorField& x = pairs.here();
+    const UList<vector>& x = pairs.here();
     const scalarField numbersHere(pairs.handOut(number.cdata(), 1));
     fibreMotions motions{labelList(x.size()),
                          handOut(pairs, element),

@@ -158,7 +158,7 @@ void Foam::closePairs::makePatches(const UList<vector>& X,
                                    const labelUList& body,
                                    const UList<scalar>& along)
 {
-    X_ = X;
+    X_.shallowCopy(X);
     body_ = body;
     along_ = along;
     patches_.clear();
@@ -217,7 +217,8 @@ void Foam::closePairs::exchangePatches()
                               copies_.holds(i), SubList<vector>(X, n, first),
                               &X[first]);
     }
-    X_ = X;
+    withCopies_ = X;
+    X_.shallowCopy(withCopies_);
     body_ = body;
     along_ = along;
 }
