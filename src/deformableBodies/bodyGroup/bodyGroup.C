@@ -336,11 +336,9 @@ void Foam::bodyGroup::readPlaces(const dictionary& dict, const solidForm& form,
     }
 }
 
-void Foam::bodyGroup::contactSurface(const label i, vector* X, vector* V,
-                                     vector* dS) const
+void Foam::bodyGroup::contactPoints(const label i, vector* X, vector* V) const
 {
     const bodyPoints p(points(i));
     std::copy(p.places.begin(), p.places.end(), X);
     std::copy(p.velocities.begin(), p.velocities.end(), V);
-    std::copy(p.areas.begin(), p.areas.end(), dS);
 }

@@ -53,33 +53,20 @@ Foam::bodyPoints Foam::capsuleGroup::points(const label i) const
         markers_->areas(initial_.data(), p.areas.data());
         return p;
     }
-    const capsule& c = capsules_[i];
-    placesAndVelocities(c, p.places.data(), p.velocities.data());
-    markers_->areas(c.xMid.data(), p.areas.data());
+    contactPoints(i, p.places.data(), p.velocities.data());
+    markers_->areas(capsules_[i].xMid.data(), p.areas.data());
     return p;
 }
 
-void Foam::capsuleGroup::placesAndVelocities(const capsule& c, vector* X,
-                                             vector* V) const
+void Foam::capsuleGroup::contactPoints(const label i, vector* X,
+                                       vector* V) const
 {
+    const capsule& c = capsules_[i];
     const scalar perStep = c.lastDeltaT > 0 ? 2 / c.lastDeltaT : 0;
     for (label k = 0; k < markers_->size(); ++k)
     {
         X[k] = c.markersMid[k];
         V[k] = perStep * (c.markers[k] - X[k]);
-    }
-}
-
-// The gradient of the volume is the series of the area vectors per solid angle
-void Foam::capsuleGroup::contactSurface(const label i, vector* X, vector* V,
-                                        vector* dS) const
-{
-    const capsule& c = capsules_[i];
-    placesAndVelocities(c, X, V);
-    markers_->values(c.volumeGradient.data(), dS);
-    for (label k = 0; k < markers_->size(); ++k)
-    {
-        dS[k] *= markers_->weight(k);
     }
 }
 

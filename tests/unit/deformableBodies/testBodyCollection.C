@@ -91,36 +91,6 @@ TEST(BodyCollection, aStepCanBeTakenBack)
     }
 }
 
-// They come from the series of the volume's gradient, which ends at the degree of the
-// shape: a red cell is the hardest of the shapes
-TEST(BodyCollection, areasForContactsAreThoseOfTheSurface)
-{
-    write("transportProperties", "transportModel Newtonian; rho 1; nu 1;");
-    write("deformableBodies",
-          "bodies { cells { type capsule; shape { type biconcave; radius 0.4; "
-          "} harmonics 16; membrane { law neoHookean; Gs 1; } "
-          "positions ((1.5 1 0.5)); } }");
-    {
-        bodyCollection bodies(test::mesh(), true);
-        const bodyGroup& cells = bodies.groups()[0];
-        forAll(cells.mine(), i)
-        {
-            const bodyPoints p(cells.points(i));
-            const label n = p.places.size();
-            vectorField X(n), V(n), dS(n);
-            cells.contactSurface(i, X.data(), V.data(), dS.data());
-            EXPECT_EQ(X, p.places);
-            EXPECT_EQ(V, p.velocities);
-            EXPECT_LT(max(mag(dS - p.areas)), 0.02 * max(mag(p.areas)));
-            EXPECT_LT(mag(sum(dS)), 1e-4 * sum(mag(dS)));
-        }
-    }
-    if (Pstream::master())
-    {
-        rm(test::mesh().time().globalPath() / "constant" / "deformableBodies");
-    }
-}
-
 // What is read and written of a mesh region has its own place, as that of another
 // mesh of the same case must not be overwritten
 TEST(BodyCollection, aRegionHasItsOwnPlace)

@@ -98,7 +98,8 @@ void isAsByAllPairs(const clouds& all, const bool evenOnesDoNot)
         bodies[k] = number(mine[k]);
     }
     closePairs pairs(grid(), range);
-    pairs.search(vectorField(UIndirectList<vector>(all.X, mine)), bodies,
+    const vectorField X(UIndirectList<vector>(all.X, mine));
+    pairs.search(X, bodies,
                  scalarField(UIndirectList<scalar>(all.along, mine)), apart);
 
     // Pairs twice, or once where this rank holds one of the two
@@ -191,11 +192,11 @@ void isMutual(const interactionModel& model, const scalar radius)
     closePairs pairs(grid(), model.range(radius == 0, radius == 0));
     const clouds all(25);
     const labelList mine(all.mine());
-    pairs.search(vectorField(UIndirectList<vector>(all.X, mine)),
-                 labelList(UIndirectList<label>(all.body, mine)));
+    const vectorField X(UIndirectList<vector>(all.X, mine));
+    pairs.search(X, labelList(UIndirectList<label>(all.body, mine)));
     const label n = pairs.here().size();
     const List<interactingPoint> points(
-        n, interactingPoint{Zero, sqr(h), radius});
+        n, interactingPoint{sqr(h), radius});
     vectorField there(n, Zero), F(mine.size(), Zero);
     model.add(pairs, points, there);
     pairs.addUp(scalarField(UList<scalar>(
@@ -274,7 +275,7 @@ TEST(ClosePairs, forceOfCrossingLines)
         pairs.search(X, body);
         const label n = X.size();
         const List<interactingPoint> points(
-            n, interactingPoint{Zero, spacing * h, radius});
+            n, interactingPoint{spacing * h, radius});
         vectorField F(n, Zero);
         model.add(pairs, points, F);
         vector sum(Zero);

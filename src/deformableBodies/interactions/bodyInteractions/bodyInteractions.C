@@ -57,8 +57,7 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
       boxes_(neighbours_),
       walls_(FixedList<bool, 2>(false)),
       firstBody_(groups.size() + 1, label(0)),
-      surfaces_(groups.size(), false),
-      nPoints_(groups.size(), label(0))
+      areas_(groups.size())
 {
     const dictionary& control = mesh.time().controlDict();
     interactionScene about{scene.grid,
@@ -77,11 +76,10 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
 
         // Any one of the group
         const bodyPoints p(groups_[g].points(-1));
-        surfaces_[g] = p.isSurface();
-        if (surfaces_[g])
+        if (p.isSurface())
         {
-            nPoints_[g] = p.places.size();
-            const scalar area = sum(mag(p.areas));
+            areas_[g] = mag(p.areas);
+            const scalar area = sum(areas_[g]);
             const scalar Gs =
                 p.stiffness /
                 std::sqrt(area / (4 * constant::mathematical::pi));
@@ -114,7 +112,7 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
     }
     forAll(groups_, g)
     {
-        if (resists() && takesPart(groups_[g]) && !surfaces_[g] &&
+        if (resists() && takesPart(groups_[g]) && !isSurface(g) &&
             groups_[g].forcing() == forcingType::none)
         {
             refuse(dict.parent(), "interactions",
@@ -184,7 +182,7 @@ bool Foam::bodyInteractions::actBetween(const label group,
     if (!takesPart(groups_[group]) || !takesPart(groups_[other])) return false;
     for (const interactionModel& model : models_)
     {
-        if (model.range(surfaces_[group], surfaces_[other]) > 0) return true;
+        if (model.range(isSurface(group), isSurface(other)) > 0) return true;
     }
     return false;
 }
@@ -233,7 +231,7 @@ void Foam::bodyInteractions::compareBoxes()
         {
             const label number = group.mine()[i];
             find_[firstBody_[g] + number] = bodies_.size();
-            const bool mayFold = actsWithinLines() && !surfaces_[g];
+            const bool mayFold = actsWithinLines() && !isSurface(g);
             bodies_.push_back({g, i, number, false, false,
                                mayFold && folded(group.points(i).places), 0,
                                0});
@@ -310,7 +308,7 @@ void Foam::bodyInteractions::add(const label group, const label body,
     for (label i = 0; i < p.size; ++i)
     {
         const label k = p.first + i;
-        if (surfaces_[group])
+        if (isSurface(group))
         {
             F[i] += F_.F[k];
             continue;

@@ -30,7 +30,7 @@ void Foam::bodyInteractions::update()
     {
         for (participant& p : bodies_)
         {
-            if (surfaces_[p.group] != surfaces) continue;
+            if (isSurface(p.group) != surfaces) continue;
             p.first = X_.size();
             if (p.near) collect(p);
             p.size = X_.size() - p.first;
@@ -59,6 +59,7 @@ void Foam::bodyInteractions::update()
         std::copy(along_.begin(), along_.end(), along.begin() + firstOfLines_);
         linePoints_.shallowCopy(act(*linePairs_, body, along, deepest));
     }
+    if (returnReduce(deepest.touching, orOp<bool>())) lookBehind(deepest);
     warnOf(deepest);
 
     for (const participant& p : bodies_)
@@ -87,25 +88,24 @@ void Foam::bodyInteractions::collect(const participant& p)
 {
     const bodyGroup& group = groups_[p.group];
     const label body = firstBody_[p.group] + p.number;
-    if (surfaces_[p.group])
+    if (isSurface(p.group))
     {
-        const label first = X_.size(), n = nPoints_[p.group];
+        const scalarField& areas = areas_[p.group];
+        const label first = X_.size(), n = areas.size();
         X_.setSize(first + n);
         V_.setSize(first + n);
-        points_.setSize(first + n);
+        group.contactPoints(p.place, &X_[first], &V_[first]);
         body_.setSize(first + n, body);
-        areas_.setSize(n);
-        group.contactSurface(p.place, &X_[first], &V_[first], areas_.data());
-        for (label k = 0; k < n; ++k)
+        for (const scalar area : areas)
         {
-            points_[first + k] = {areas_[k], mag(areas_[k]), 0};
+            points_.append({area, 0});
         }
         return;
     }
     const bodyPoints points(group.points(p.place));
     const vectorField &x = points.places, &v = points.velocities;
     interactingPoint point{
-        Zero, 0, std::sqrt(points.crossSection / constant::mathematical::pi)};
+        0, std::sqrt(points.crossSection / constant::mathematical::pi)};
     const scalar h = cmptMax(grid_.h());
     const scalar apart = max(min(0.5 * h, 2 * point.radius), 0.1 * h);
     scalar before = 0;
@@ -180,32 +180,62 @@ void Foam::bodyInteractions::look(const closePairs& pairs,
         nPairs_ += p.bothHeld ? 2 : 1;
         const scalar apart = mag(p.r);
         closest_ = min(closest_, apart);
-        scalar depth = 0;
-        const scalar a = points[p.first].radius, b = points[p.second].radius;
-        if (a > 0 && b > 0)
+        const interactingPoint &x = points[p.first], &y = points[p.second];
+        if (x.radius > 0 && y.radius > 0)
         {
             // Axes within half the sum of the radii, where that is kept from
-            if (linesActOn && apart < 0.5 * (a + b)) depth = a + b - apart;
+            const scalar both = x.radius + y.radius;
+            if (linesActOn && apart < 0.5 * both)
+                deepest.take(both - apart, pairs, p);
         }
-        else
+        else if (x.radius == 0 && y.radius == 0)
         {
-            // Either lies behind the other's surface, both seen
-            const vector& n = points[p.first].area;
-            const vector& m = points[p.second].area;
-            if ((n & m) < 0 && (m & p.r) < -0.5 * mag(m) * apart &&
-                (n & p.r) > 0.5 * mag(n) * apart)
-            {
-                depth = apart;
-            }
+            // Surfaces that cross have points closer than half the diagonal of the
+            // squares that these stand for
+            deepest.touching =
+                deepest.touching || sqr(apart) < 0.5 * max(x.size, y.size);
         }
-        if (depth <= deepest.depth) continue;
-        const auto body = [&](const label k)
-        {
-            const label number = pairs.body()[k];
-            return number < 0 ? -1 - number : number;
-        };
-        deepest = {depth, body(p.first), body(p.second), pairs.here()[p.first]};
     }
+}
+
+void Foam::bodyInteractions::lookBehind(overlap& deepest) const
+{
+    vectorField own(firstOfLines_);
+    for (const participant& p : bodies_)
+    {
+        if (!isSurface(p.group) || p.size == 0) continue;
+        SubField<vector>(own, p.size, p.first) =
+            groups_[p.group].points(p.place).areas;
+    }
+    const closePairs& pairs = *surfacePairs_;
+    const vectorField areas(pairs.handOut(own));
+    for (const closePairs::pair& p : pairs.pairs())
+    {
+        // Either lies behind the other's surface, both seen
+        const vector &n = areas[p.first], &m = areas[p.second];
+        const scalar apart = mag(p.r);
+        if ((n & m) < 0 && (m & p.r) < -0.5 * mag(m) * apart &&
+            (n & p.r) > 0.5 * mag(n) * apart)
+        {
+            deepest.take(apart, pairs, p);
+        }
+    }
+}
+
+void Foam::bodyInteractions::overlap::take(const scalar deep,
+                                           const closePairs& pairs,
+                                           const closePairs::pair& p)
+{
+    if (deep <= depth) return;
+    const auto bodyOf = [&](const label k)
+    {
+        const label number = pairs.body()[k];
+        return number < 0 ? -1 - number : number;
+    };
+    depth = deep;
+    body = bodyOf(p.first);
+    other = bodyOf(p.second);
+    at = pairs.here()[p.first];
 }
 
 void Foam::bodyInteractions::warnOf(const overlap& deepest)

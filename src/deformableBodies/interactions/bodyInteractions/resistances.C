@@ -18,16 +18,7 @@ const scalar* numbers(const vectorField& v)
     return reinterpret_cast<const scalar*>(v.cdata());
 }
 
-//- Vectors of own points for all points here
-vectorField handOut(const closePairs& pairs, const vectorField& own)
-{
-    const scalarField all(pairs.handOut(numbers(own), 3));
-    vectorField here(all.size() / 3);
-    std::copy(all.begin(), all.end(), reinterpret_cast<scalar*>(here.data()));
-    return here;
-}
-
-//- The way back
+//- The way back of closePairs::handOut()
 void addUp(const closePairs& pairs, const vectorField& here, vectorField& own)
 {
     scalarField all(3 * here.size());
@@ -98,9 +89,9 @@ void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
     const UList<vector>& x = pairs.here();
     const scalarField numbersHere(pairs.handOut(number.cdata(), 1));
     fibreMotions motions{labelList(x.size()),
-                         handOut(pairs, element),
-                         handOut(pairs, V),
-                         handOut(pairs, turn),
+                         pairs.handOut(element),
+                         pairs.handOut(V),
+                         pairs.handOut(turn),
                          scalarField(x.size(), GREAT),
                          vectorField(x.size(), Zero)};
     forAll(x, k)

@@ -378,6 +378,15 @@ Foam::scalarField Foam::closePairs::handOut(const scalar* own,
     return here;
 }
 
+Foam::vectorField Foam::closePairs::handOut(const UList<vector>& own) const
+{
+    const scalarField all(
+        handOut(reinterpret_cast<const scalar*>(own.cdata()), 3));
+    vectorField here(all.size() / 3);
+    std::copy(all.begin(), all.end(), reinterpret_cast<scalar*>(here.data()));
+    return here;
+}
+
 void Foam::closePairs::addUp(const UList<scalar>& here, const label n,
                              scalar* own) const
 {
