@@ -190,10 +190,10 @@ void Foam::bodyInteractions::look(const closePairs& pairs,
         }
         else if (x.radius == 0 && y.radius == 0)
         {
-            // Surfaces that cross have points closer than half the diagonal of the
-            // squares that these stand for
+            // Surfaces that cross have points of which some are closer to each other
+            // than half the sides of the squares that they stand for
             deepest.touching =
-                deepest.touching || sqr(apart) < 0.5 * max(x.size, y.size);
+                deepest.touching || sqr(apart) < 0.25 * max(x.size, y.size);
         }
     }
 }
