@@ -272,11 +272,11 @@ Foam::tmp<Foam::volVectorField> Foam::bodyCollection::cellForce() const
 Foam::tmp<Foam::volVectorField> Foam::bodyCollection::fluidForce()
 {
     staggeredField faces(grid_.box());
-    const vectorField X(collectLoads(identity(groups_.size())));
-    if (returnReduce(X.size(), maxOp<label>()))
+    collectLoads(identity(groups_.size()));
+    if (returnReduce(X_.size(), maxOp<label>()))
     {
         const auto timing(effects_.time("spreading"));
-        markers_->place(X);
+        markers_->place(X_);
         markers_->spread(F_, faces);
     }
     surfaceScalarField flux(

@@ -98,10 +98,10 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
     if (diverged_) return;
     if (interactions_) interactions_->update();
 
-    const vectorField X(collectLoads(groups));
-    if (!returnReduce(X.size(), maxOp<label>())) return;
+    collectLoads(groups);
+    if (!returnReduce(X_.size(), maxOp<label>())) return;
     const auto timing(effects_.time("spreading"));
-    markers_->place(X);
+    markers_->place(X_);
     spread(force);
 }
 
@@ -163,19 +163,18 @@ Foam::label Foam::bodyCollection::nMarkers(const labelList& groups) const
 void Foam::bodyCollection::place(const labelList& groups, const scalar dt)
 {
     const auto timing(effects_.time("interpolation"));
-    vectorField X(nMarkers(groups));
-    labelList line(X.size(), -1);
+    const forcingType forcing = groups_[groups[0]].forcing();
+    const bool haveLines = forcing != forcingType::none;
+    X_.setSize(nMarkers(groups));
+    labelList line(haveLines ? X_.size() : 0, -1);
     label at = 0, firstLine = 0;
-    bool anyLines = false, mayFold = false;
     for (const label g : groups)
     {
         bodyGroup& group = groups_[g];
         const label n = group.nMarkers();
-        group.markers(X.data() + at, dt);
-        if (group.forcing() != forcingType::none)
+        group.markers(X_.data() + at, dt);
+        if (haveLines)
         {
-            anyLines = true;
-            mayFold = group.forcing() == forcingType::ofLines;
             group.lines(line.data() + at);
             for (label k = at; k < at + n; ++k)
             {
@@ -185,8 +184,10 @@ void Foam::bodyCollection::place(const labelList& groups, const scalar dt)
         }
         at += n;
     }
-    markers_->place(X);
-    if (anyLines) markers_->lineDensity(X, line, mayFold, lineDensity_);
+    markers_->place(X_);
+    if (!haveLines) return;
+    markers_->lineDensity(X_, line, forcing == forcingType::ofLines,
+                          lineDensity_);
 }
 
 void Foam::bodyCollection::observe(const staggeredView& u)
@@ -196,9 +197,9 @@ void Foam::bodyCollection::observe(const staggeredView& u)
         bodyGroup& group = groups_[g];
         if (group.forcing() == forcingType::none) continue;
         const auto timing(effects_.time("interpolation"));
-        vectorField X(group.nMarkers());
-        group.markers(X.data(), 0);
-        markers_->place(X);
+        X_.setSize(group.nMarkers());
+        group.markers(X_.data(), 0);
+        markers_->place(X_);
         markers_->interpolate({u}, U_);
         group.observe(U_.cdata());
     }
@@ -233,24 +234,23 @@ void Foam::bodyCollection::move(const labelList& groups, const bool predicted,
     }
 }
 
-Foam::vectorField Foam::bodyCollection::collectLoads(const labelList& groups)
+void Foam::bodyCollection::collectLoads(const labelList& groups)
 {
     DynamicList<label> acting;
     for (const label g : groups)
     {
         if (groups_[g].twoWay()) acting.append(g);
     }
-    vectorField X(nMarkers(acting));
-    F_.setSize(X.size());
+    X_.setSize(nMarkers(acting));
+    F_.setSize(X_.size());
     const scalar middle =
         mesh_.time().value() - 0.5 * mesh_.time().deltaTValue();
     label at = 0;
     for (const label g : acting)
     {
-        groups_[g].loads(X.data() + at, F_.data() + at, middle);
+        groups_[g].loads(X_.data() + at, F_.data() + at, middle);
         at += groups_[g].nMarkers();
     }
-    return X;
 }
 
 void Foam::bodyCollection::spread(const staggeredTarget& force,

@@ -213,7 +213,7 @@ Foam::scalarField Foam::markerSet::linesHere(const UList<vector>& X,
 void Foam::markerSet::closeLines(const UList<vector>& X, const labelUList& line,
                                  const visitor& visit) const
 {
-    const vectorField& here = copies_.here();
+    const UList<vector>& here = copies_.here();
     const markerBins bins(grid_, here, linesHere(X, line, false));
     forAll(here, k)
     {
@@ -243,7 +243,7 @@ void Foam::markerSet::lineDensity(const UList<vector>& X,
                                   const labelUList& line, const bool mayFold,
                                   scalarField& density) const
 {
-    const vectorField& here = copies_.here();
+    const UList<vector>& here = copies_.here();
     const markerBins bins(grid_, here, linesHere(X, line, mayFold));
 
     scalarField others(here.size(), Zero);

@@ -28,7 +28,7 @@ void Foam::pointCopies::place(const UList<vector>& X, const label margin)
     nOwn_ = X.size();
     if (!Pstream::parRun())
     {
-        X_ = X;
+        X_.shallowCopy(X);
         return;
     }
 
@@ -56,8 +56,9 @@ void Foam::pointCopies::place(const UList<vector>& X, const label margin)
     {
         first_[i + 1] = first_[i] + sizes[i];
     }
-    X_.setSize(first_.last());
-    handOut(numbers(X), 3, reinterpret_cast<scalar*>(X_.data()));
+    copies_.setSize(first_.last());
+    handOut(numbers(X), 3, reinterpret_cast<scalar*>(copies_.data()));
+    X_.shallowCopy(copies_);
 }
 
 bool Foam::pointCopies::holds(const label k) const

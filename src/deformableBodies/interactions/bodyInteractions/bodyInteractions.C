@@ -254,7 +254,7 @@ void Foam::bodyInteractions::compareBoxes()
     // of its centre, from which the middle of its box may lie apart
     boxes_.place(centres, grid_.layersWithin(offset + 2 * largest + reach));
     const scalarField there(boxes_.handOut(facts.cdata(), 4));
-    const vectorField& here = boxes_.here();
+    const UList<vector>& here = boxes_.here();
     const pointBins bins(grid_, 2 * largest + reach, here.size());
     List<DynamicList<label>> inBin(bins.count());
     forAll(here, k)
