@@ -59,7 +59,8 @@ void Foam::bodyInteractions::update()
         std::copy(along_.begin(), along_.end(), along.begin() + firstOfLines_);
         linePoints_.shallowCopy(act(*linePairs_, body, along, deepest));
     }
-    if (returnReduce(deepest.touching, orOp<bool>())) lookBehind(deepest);
+    if (returnReduce(!deepest.touching.empty(), orOp<bool>()))
+        lookBehind(deepest);
     warnOf(deepest);
 
     for (const participant& p : bodies_)
@@ -192,22 +193,33 @@ void Foam::bodyInteractions::look(const closePairs& pairs,
         {
             // Surfaces that cross have points of which some are closer to each other
             // than half the sides of the squares that they stand for
-            deepest.touching =
-                deepest.touching || sqr(apart) < 0.25 * max(x.size, y.size);
+            if (sqr(apart) < 0.25 * max(x.size, y.size))
+                deepest.touching.append({p.first, p.second});
         }
     }
 }
 
 void Foam::bodyInteractions::lookBehind(overlap& deepest) const
 {
-    vectorField own(firstOfLines_);
+    const closePairs& pairs = *surfacePairs_;
+    scalarField touching(pairs.here().size(), Zero),
+        ownTouching(firstOfLines_, Zero);
+    for (const label k : deepest.touching)
+    {
+        touching[k] = 1;
+    }
+    pairs.addUp(touching, 1, ownTouching.data());
+    vectorField own(firstOfLines_, Zero);
     for (const participant& p : bodies_)
     {
-        if (!isSurface(p.group) || p.size == 0) continue;
+        if (!isSurface(p.group) ||
+            sum(SubField<scalar>(ownTouching, p.size, p.first)) == 0)
+        {
+            continue;
+        }
         SubField<vector>(own, p.size, p.first) =
             groups_[p.group].points(p.place).areas;
     }
-    const closePairs& pairs = *surfacePairs_;
     const vectorField areas(pairs.handOut(own));
     for (const closePairs::pair& p : pairs.pairs())
     {
