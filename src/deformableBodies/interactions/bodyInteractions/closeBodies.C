@@ -158,12 +158,7 @@ Foam::bodyInteractions::act(closePairs& pairs, const labelUList& body,
         const auto timing(effects_.time(model.type()));
         model.add(pairs, points, F);
     }
-    if (Pstream::parRun())
-    {
-        pairs.addUp(
-            UList<scalar>(reinterpret_cast<scalar*>(F.data()), 3 * nHere), 3,
-            reinterpret_cast<scalar*>(F_.F.data()));
-    }
+    if (Pstream::parRun()) pairs.addUp(F, F_.F);
     return points;
 }
 

@@ -13,19 +13,6 @@ namespace
 {
 using namespace Foam;
 
-const scalar* numbers(const vectorField& v)
-{
-    return reinterpret_cast<const scalar*>(v.cdata());
-}
-
-//- The way back of closePairs::handOut()
-void addUp(const closePairs& pairs, const vectorField& here, vectorField& own)
-{
-    scalarField all(3 * here.size());
-    std::copy_n(numbers(here), all.size(), all.begin());
-    pairs.addUp(all, 3, reinterpret_cast<scalar*>(own.data()));
-}
-
 //- In place of a group; no group may have a colon in its name
 const word ofWalls("wall:");
 } // namespace
@@ -138,8 +125,8 @@ void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
         }
     }
     vectorField F(nOwn, Zero), arms(nOwn, Zero);
-    addUp(pairs, here.F, F);
-    addUp(pairs, here.arms, arms);
+    pairs.addUp(here.F, F);
+    pairs.addUp(here.arms, arms);
     F_.F += F;
     F_.arms += arms;
     const scalar power = sum(F & V) + sum(arms & turn);
