@@ -155,7 +155,7 @@ void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
                                 const label end, Visit visit) const
 {
     if (fields.empty()) return;
-    const label ahead = 20, most = weightBatch::n;
+    const label ahead = 24, most = weightBatch::n;
     for (label b = begin; b < end; b += most)
     {
         const label size = min(most, end - b);
@@ -163,45 +163,58 @@ void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
         if (begin >= nWhole_) w.clip(*this, size);
         for (const Places& v : fields)
         {
+            const std::ptrdiff_t row = v.row, layer = v.layer;
+            const labelVector& lo = grid_.box().lo;
+            typename std::decay<decltype(v.first[0])>::type first[3 * most];
             for (direction d = 0; d < 3; ++d)
             {
-                const int x = d == 0 ? 0 : 3, y = d == 1 ? 1 : 4,
-                          z = d == 2 ? 2 : 5;
-                const std::ptrdiff_t row = v.row, layer = v.layer;
-                const labelVector& lo = grid_.box().lo;
-                std::ptrdiff_t at[most];
+                const double *x = w.lowest[d == 0 ? 0 : 3],
+                             *y = w.lowest[d == 1 ? 1 : 4],
+                             *z = w.lowest[d == 2 ? 2 : 5];
                 for (label k = 0; k < size; ++k)
                 {
-                    at[k] = label(w.lowest[x][k]) - lo.x() +
-                            row * (label(w.lowest[y][k]) - lo.y()) +
-                            layer * (label(w.lowest[z][k]) - lo.z());
+                    first[3 * k + d] = v.first[d] + label(x[k]) - lo.x() +
+                                          row * (label(y[k]) - lo.y()) +
+                                          layer * (label(z[k]) - lo.z());
                 }
-                for (label k = -ahead; k < size; ++k)
+            }
+            const auto prefetch = [&](const label m) __attribute__((always_inline))
+            {
+                if (m >= 3 * size) return;
+                auto p = first[m];
+                for (int j = 0; j < n; ++j, p += layer)
                 {
-                    if (k + ahead < size)
+                    for (int i = 0; i < n; ++i)
                     {
-                        const scalar* p = v.first[d] + at[k + ahead];
-                        for (int j = 0; j < n; ++j, p += layer)
-                        {
-                            for (int i = 0; i < n; ++i)
-                            {
-                                __builtin_prefetch(p + i * row);
-                                __builtin_prefetch(p + i * row + 3);
-                            }
-                        }
+                        __builtin_prefetch(p + i * row);
+                        __builtin_prefetch(p + i * row + 3);
                     }
-                    if (k < 0) continue;
-                    const fourValues wx = {w.weight[0][x][k], w.weight[1][x][k],
-                                           w.weight[2][x][k],
-                                           w.weight[3][x][k]};
+                }
+            };
+            for (label m = 0; m < ahead; ++m)
+            {
+                prefetch(m);
+            }
+            for (label k = 0; k < size; ++k)
+            {
+#pragma GCC unroll 3
+                for (direction d = 0; d < 3; ++d)
+                {
+                    const int x = d == 0 ? 0 : 3, y = d == 1 ? 1 : 4,
+                              z = d == 2 ? 2 : 5;
+                    const label m = 3 * k + d;
+                    prefetch(m + ahead);
+                    const fourValues wx = {
+                        w.weight[0][x][k], w.weight[1][x][k],
+                        w.weight[2][x][k], w.weight[3][x][k]};
                     scalar wy[n], wz[n];
                     for (int j = 0; j < n; ++j)
                     {
                         wy[j] = w.weight[j][y][k];
                         wz[j] = w.weight[j][z][k];
                     }
-                    visit(sorted_[b + k], d, v.first[d] + at[k], row, layer,
-                          v.factor, wx, wy, wz);
+                    visit(sorted_[b + k], d, first[m], row, layer, v.factor,
+                          wx, wy, wz);
                 }
             }
         }
