@@ -201,9 +201,10 @@ void Foam::filamentGroup::insertBody(const label i, const label number)
     x.clamp(0, directions_[number]);
     x.clamp(1, directions_[number]);
     bodies_.insert(bodies_.begin() + i,
-                   body{x, vectorField(points_.size(), Zero), x.places(),
+                   body{x, vectorField(points_.size(), Zero),
                         vectorField(markersEach()),
                         vectorField(twoWay() ? markersEach() : 0, Zero),
+                        List<thicknessCouple::frame>(),
                         x.places()[movedEnd() * properties_.segments], 0, 1});
 }
 

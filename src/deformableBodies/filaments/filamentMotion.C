@@ -29,14 +29,18 @@ void Foam::filamentGroup::makePoints(const label n, const scalar inset)
 void Foam::filamentGroup::markers(vector* X, const scalar dt)
 {
     if (alone()) return;
+    vectorField ahead;
     for (body& x : bodies_)
     {
-        x.line.ahead(dt, x.ahead);
+        x.line.ahead(dt, ahead);
         forAll(points_, k)
         {
-            x.markers[k] = points_[k](x.ahead);
+            x.markers[k] = points_[k](ahead);
         }
-        if (couple_) couple_->markers(x.ahead, &x.markers[points_.size()]);
+        if (couple_)
+        {
+            couple_->markers(ahead, x.frames, &x.markers[points_.size()]);
+        }
         X = std::copy(x.markers.begin(), x.markers.end(), X);
     }
 }
@@ -171,7 +175,7 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
             around.force[i + 1] += at / properties_.lengthOf(i + 1) * inertia;
         }
     }
-    if (couple_) around.shear = couple_->shear(x.ahead, U + n);
+    if (couple_) couple_->shear(x.frames, U + n, around.shear);
 }
 
 // The forces on the fluid that moved with it
@@ -185,7 +189,7 @@ void Foam::filamentGroup::force(body& x,
     }
     if (couple_)
     {
-        couple_->forces(x.ahead, V, around.shear, around.couple,
+        couple_->forces(x.frames, V, around.shear, around.couple,
                         &x.forces[points_.size()]);
     }
 }

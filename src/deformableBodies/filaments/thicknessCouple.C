@@ -3,6 +3,7 @@
 #include "thicknessCouple.H"
 #include "markerLine.H"
 #include "mathematicalConstants.H"
+#include <algorithm>
 #include <cmath>
 
 Foam::thicknessCouple::thicknessCouple(const label segments, const scalar ds,
@@ -50,46 +51,45 @@ Foam::thicknessCouple::at(const vectorField& X, const label station) const
     return f;
 }
 
-void Foam::thicknessCouple::markers(const vectorField& X, vector* points) const
+void Foam::thicknessCouple::markers(const vectorField& X, List<frame>& frames,
+                                    vector* points) const
 {
-    for (label j = 0; j < stations_; ++j)
+    frames.setSize(stations_);
+    forAll(frames, j)
     {
-        const frame f(at(X, j));
+        frames[j] = at(X, j);
         const vector centre(0.5 * (X[first(j)] + X[first(j + 1)]));
-        for (const vector& e : f.e)
+        for (const vector& e : frames[j].e)
         {
             *points++ = centre + radius_ * e;
         }
     }
 }
 
-Foam::vectorField Foam::thicknessCouple::shear(const vectorField& X,
-                                               const vector* U) const
+void Foam::thicknessCouple::shear(const List<frame>& frames, const vector* U,
+                                  vectorField& g) const
 {
-    vectorField g(segments_);
-    for (label j = 0; j < stations_; ++j)
+    g.setSize(segments_);
+    forAll(frames, j)
     {
-        const frame f(at(X, j));
+        const frame& f = frames[j];
         vector here(Zero);
         for (const vector& e : f.e)
         {
             here += 2.0 / 3 / radius_ * (*U++ & f.t) * e;
         }
-        for (label i = first(j); i < first(j + 1); ++i)
-        {
-            g[i] = here;
-        }
+        std::fill(&g[first(j)], g.data() + first(j + 1), here);
     }
-    return g;
 }
 
-void Foam::thicknessCouple::forces(const vectorField& X, const vectorField& V,
+void Foam::thicknessCouple::forces(const List<frame>& frames,
+                                   const vectorField& V,
                                    const vectorField& shear,
                                    const scalarField& K, vector* F) const
 {
-    for (label j = 0; j < stations_; ++j)
+    forAll(frames, j)
     {
-        const frame f(at(X, j));
+        const frame& f = frames[j];
         vector dipole(Zero);
         for (label i = first(j); i < first(j + 1); ++i)
         {
