@@ -16,15 +16,14 @@ void Foam::markerSet::place(const vectorField& X)
     sort();
 }
 
-// Along memory: from low to high z, within that from low to high y by some rows,
-// within that as in the list, where neighbours are neighbours in space; what one marker
-// has fetched others find in the cache
+// Along memory, in bunches of some layers and rows, from low to high z, then y; within
+// a bunch as in the list, where neighbours are neighbours in space: what one marker has
+// fetched others find in the cache
 void Foam::markerSet::sort()
 {
-    const label rows = 8;
     const cellBox& box = grid_.box();
-    const label n = X().size(), perLayer = box.size.y() / rows + 1,
-                nBuckets = perLayer * box.size.z();
+    const label n = X().size(), perLayer = box.size.y() / bunch_ + 1,
+                nBunches = perLayer * (box.size.z() / bunch_ + 1);
 
     // In cells of the box: between from and to all points of a marker lie in the block,
     // as they stand in memory; between wallFree[0] and wallFree[1] no wall changes its
@@ -98,15 +97,15 @@ void Foam::markerSet::sort()
                     visit(vector(at[0][i], at[1][j], at[2][k]));
     };
 
-    const label ofClipped = nBuckets, ofCut = nBuckets + 1;
-    labelList start(nBuckets + 3, Zero), in(n);
+    const label ofClipped = nBunches, ofCut = nBunches + 1;
+    labelList start(nBunches + 3, Zero), in(n);
     for (label k = 0; k < n; ++k)
     {
         const vector x(placeOf(k));
         if (isWithin(x, from, to))
         {
-            in[k] = label(x.y() - box.lo.y()) / rows +
-                    perLayer * label(x.z() - box.lo.z());
+            in[k] = label(x.y() - box.lo.y()) / bunch_ +
+                    perLayer * layerOfBunches(x);
             ++start[in[k] + 1];
         }
         else if (wide && isWithin(x, wallFree[0], wallFree[1]))

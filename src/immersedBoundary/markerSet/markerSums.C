@@ -149,13 +149,13 @@ void Foam::markerSet::cut(const weightBatch& w, const label marker,
 
 // visit(marker, component, first point, steps to the next row and layer, factor of the
 // field, weights along x, y and z) for some markers that are whole, or clipped. Rows are
-// fetched some markers ahead, as they lie all over memory
+// fetched eight markers ahead, as they lie all over memory, both ends of each
 template<int n, class Places, class Visit>
 void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
                                 const label end, Visit visit) const
 {
     if (fields.empty()) return;
-    const label ahead = 24, most = weightBatch::n;
+    const label ahead = 3 * 8, most = weightBatch::n;
     for (label b = begin; b < end; b += most)
     {
         const label size = min(most, end - b);
@@ -168,20 +168,22 @@ void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
             typename std::decay<decltype(v.first[0])>::type first[3 * most];
             for (direction d = 0; d < 3; ++d)
             {
-                const double *x = w.lowest[d == 0 ? 0 : 3],
+                const scalar *x = w.lowest[d == 0 ? 0 : 3],
                              *y = w.lowest[d == 1 ? 1 : 4],
                              *z = w.lowest[d == 2 ? 2 : 5];
                 for (label k = 0; k < size; ++k)
                 {
                     first[3 * k + d] = v.first[d] + label(x[k]) - lo.x() +
-                                          row * (label(y[k]) - lo.y()) +
-                                          layer * (label(z[k]) - lo.z());
+                                       row * (label(y[k]) - lo.y()) +
+                                       layer * (label(z[k]) - lo.z());
                 }
             }
-            const auto prefetch = [&](const label m) __attribute__((always_inline))
+
+            // Inlined, as the compiler drops calls that do no more than this
+            const auto fetch = [&](const label m) __attribute__((always_inline))
             {
                 if (m >= 3 * size) return;
-                auto p = first[m];
+                const scalar* p = first[m];
                 for (int j = 0; j < n; ++j, p += layer)
                 {
                     for (int i = 0; i < n; ++i)
@@ -193,7 +195,7 @@ void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
             };
             for (label m = 0; m < ahead; ++m)
             {
-                prefetch(m);
+                fetch(m);
             }
             for (label k = 0; k < size; ++k)
             {
@@ -203,18 +205,18 @@ void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
                     const int x = d == 0 ? 0 : 3, y = d == 1 ? 1 : 4,
                               z = d == 2 ? 2 : 5;
                     const label m = 3 * k + d;
-                    prefetch(m + ahead);
-                    const fourValues wx = {
-                        w.weight[0][x][k], w.weight[1][x][k],
-                        w.weight[2][x][k], w.weight[3][x][k]};
+                    fetch(m + ahead);
+                    const fourValues wx = {w.weight[0][x][k], w.weight[1][x][k],
+                                           w.weight[2][x][k],
+                                           w.weight[3][x][k]};
                     scalar wy[n], wz[n];
                     for (int j = 0; j < n; ++j)
                     {
                         wy[j] = w.weight[j][y][k];
                         wz[j] = w.weight[j][z][k];
                     }
-                    visit(sorted_[b + k], d, first[m], row, layer, v.factor,
-                          wx, wy, wz);
+                    visit(sorted_[b + k], d, first[m], row, layer, v.factor, wx,
+                          wy, wz);
                 }
             }
         }
@@ -364,16 +366,17 @@ void Foam::markerSet::scatterCut(const UList<vector>& F,
                });
 }
 
-// Markers of a layer of cells reach two layers down and up, so that those four layers
-// apart have no point in common: values are taken four layers behind the forces. Those
-// that are clipped or cut are in no order: first their forces, last their values
+// Markers reach two layers of cells down and up: those of every other layer of bunches
+// have no point in common, so values are taken a layer of bunches behind the forces.
+// Those that are clipped or cut are in no order: first their forces, last their values
 template<int n>
 void Foam::markerSet::sweepAll(const UList<vector>& F,
                                const List<staggeredTarget>& f,
                                const List<staggeredView>& u,
                                UList<vector>& U) const
 {
-    const auto layerOf = [&](const label k) { return label(at_[k].z()); };
+    static_assert(bunch_ >= 4, "forces come after values");
+    const auto layerOf = [&](const label k) { return layerOfBunches(at_[k]); };
     label scattered = 0, gathered = 0;
     const label end = nWhole_ + nClipped_;
     scatterCut<n>(F, f);
@@ -390,7 +393,7 @@ void Foam::markerSet::sweepAll(const UList<vector>& F,
             ++scattered;
         scatterWhole<n>(F, f, begin, scattered);
         const label first = gathered;
-        while (gathered < scattered && layerOf(gathered) < layer - 3)
+        while (gathered < scattered && layerOf(gathered) < layer)
             ++gathered;
         gatherWhole<n>(u, first, gathered, U);
     }
