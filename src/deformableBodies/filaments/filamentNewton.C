@@ -7,94 +7,73 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
                                        const filament::surroundings* around,
                                        const int n)
 {
-    // Lanes beyond the last filament repeat it
-    const auto from = [&](const int lane) { return min(lane, n - 1); };
-    const auto gather = [&](auto&& value)
-    {
-        vectors v;
-        for (int l = 0; l < Lanes; ++l)
-        {
-            const vector& x = value(from(l));
-            for (direction d = 0; d < 3; ++d)
-            {
-                v(l, d) = x[d];
-            }
-        }
-        return v;
-    };
-
     first_ = lines[0];
     N_ = first_->all_->segments;
-    const label nodes = N_ + 1, nPoints = around[0].points.size();
+    points_ = around[0].points;
     for (auto* field : {&pastV_, &pastA_, &X_, &V_, &R_, &force_})
     {
-        field->resize(nodes);
+        field->resize(N_ + 1);
     }
     T_.resize(N_);
-    points_.resize(nPoints);
+    drag_.resize(points_.size());
+    U_.resize(points_.size());
+    t_.resize(points_.size());
     couple_.resize(around[0].couple.size());
     shear_.resize(couple_.size());
     change_.resize(4 * N_ + 3);
+
+    // Lanes beyond the last filament repeat it. All numbers first: those that were
+    // stored one by one a moment ago are slow to load together
+    for (int l = 0; l < Lanes; ++l)
+    {
+        const filament& line = *lines[min(l, n - 1)];
+        const filament::surroundings& s = around[min(l, n - 1)];
+        setLane(l, line.X_, X_);
+        setLane(l, line.V_, V_);
+        setLane(l, line.XBefore_, pastV_);
+        setLane(l, line.VBefore_, pastA_);
+        setLane(l, line.T_, T_);
+        setLane(l, line.clamp_, clamp_);
+        setLane(l, s.force, force_);
+        setLane(l, s.drag, drag_);
+        setLane(l, s.U, U_);
+        setLane(l, s.couple, couple_);
+        if (couple_.size()) setLane(l, s.shear, shear_);
+    }
 
     // BDF2; the first step is of first order
     lanes c1, c2, r;
     for (int l = 0; l < Lanes; ++l)
     {
-        const scalar last = lines[from(l)]->lastDeltaT_;
+        const scalar last = lines[min(l, n - 1)]->lastDeltaT_;
         r[l] = last > 0 ? dt / last : 0;
         c0_[l] = last > 0 ? (1 + 2 * r[l]) / ((1 + r[l]) * dt) : 1 / dt;
         c1[l] = last > 0 ? -(1 + r[l]) / dt : -1 / dt;
         c2[l] = last > 0 ? sqr(r[l]) / ((1 + r[l]) * dt) : 0;
     }
-
-    const auto held = [&](const label i) { return first_->held(i); };
-    for (label i = 0; i < nodes; ++i)
+    for (label i = 0; i <= N_; ++i)
     {
-        const auto of = [&](vectorField filament::*field)
-        { return gather([&](const int l) { return (lines[l]->*field)[i]; }); };
-        const vectors X = of(&filament::X_), V = of(&filament::V_);
-        const vectors VBefore = of(&filament::VBefore_);
-        pastV_[i] = X.colwise() * c1 + of(&filament::XBefore_).colwise() * c2;
+        const vectors V = V_[i], VBefore = pastA_[i];
+        pastV_[i] = X_[i].colwise() * c1 + pastV_[i].colwise() * c2;
         pastA_[i] = V.colwise() * c1 + VBefore.colwise() * c2;
-        X_[i] =
-            held(i)
-                ? gather([&](const int l)
-                         { return lines[l]->heldPlace(i, dt); })
-                : vectors(X + dt * (V + (V - VBefore).colwise() * (0.5 * r)));
-        force_[i] = gather([&](const int l) { return around[l].force[i]; });
+        X_[i] += dt * (V + (V - VBefore).colwise() * (0.5 * r));
     }
-    for (int e = 0; e < 2; ++e)
+    for (const label i : {label(0), N_})
     {
-        clamp_[e] = gather([&](const int l) { return lines[l]->clamp_[e]; });
-    }
-    for (label i = 0; i < N_; ++i)
-    {
-        for (int l = 0; l < Lanes; ++l)
+        for (int l = 0; l < Lanes && first_->held(i); ++l)
         {
-            T_[i][l] = lines[from(l)]->T_[i];
-            if (couple_.size()) couple_[i][l] = around[from(l)].couple[i];
-        }
-        if (couple_.size())
-        {
-            shear_[i] = gather([&](const int l) { return around[l].shear[i]; });
+            setLane(l, lines[min(l, n - 1)]->heldPlace(i, dt), X_[i]);
         }
     }
 
     // Drag across and along the extrapolated shape
     lanes meanDrag = lanes::Zero();
-    for (label k = 0; k < nPoints; ++k)
+    forAll(points_, k)
     {
-        dragPoint& p = points_[k];
-        p.segment = around[0].points[k].segment;
-        p.at = around[0].points[k].at;
-        for (int l = 0; l < Lanes; ++l)
-        {
-            p.drag[l] = around[from(l)].drag[k];
-        }
-        p.U = gather([&](const int l) { return around[l].U[k]; });
-        p.t = X_[p.segment + 1] - X_[p.segment];
-        p.t.colwise() /= dot(p.t, p.t).sqrt().eval();
-        meanDrag += p.drag / (N_ + 1);
+        const label i = points_[k].segment;
+        t_[k] = X_[i + 1] - X_[i];
+        t_[k].colwise() /= dot(t_[k], t_[k]).sqrt().eval();
+        meanDrag += drag_[k] / (N_ + 1);
     }
     const filament::properties& all = *first_->all_;
     unit_ = all.ds() * all.mass * c0_.square() + meanDrag * c0_ +
@@ -122,13 +101,14 @@ template<int Lanes>
 void Foam::filamentNewton<Lanes>::addDrag()
 {
     const scalar along = 1 - first_->all_->dragRatio;
-    for (const dragPoint& p : points_)
+    forAll(points_, k)
     {
-        const label i = p.segment;
-        const scalar share[2] = {1 - p.at, p.at};
-        vectors F = share[0] * V_[i] + share[1] * V_[i + 1] - p.U;
-        F -= along * (p.t.colwise() * dot(p.t, F)).eval();
-        F.colwise() *= p.drag;
+        const label i = points_[k].segment;
+        const scalar share[2] = {1 - points_[k].at, points_[k].at};
+        const vectors& t = t_[k];
+        vectors F = share[0] * V_[i] + share[1] * V_[i + 1] - U_[k];
+        F -= along * (t.colwise() * dot(t, F)).eval();
+        F.colwise() *= drag_[k];
         R_[i] += share[0] * F;
         R_[i + 1] += share[1] * F;
         for (direction d = 0; d < 3 && assembles_; ++d)
@@ -136,9 +116,8 @@ void Foam::filamentNewton<Lanes>::addDrag()
             for (direction e = 0; e < 3; ++e)
             {
                 if (d != e && along == 0) continue;
-                const lanes D =
-                    c0_ * p.drag *
-                    (scalar(d == e) - along * p.t.col(d) * p.t.col(e));
+                const lanes D = c0_ * drag_[k] *
+                                (scalar(d == e) - along * t.col(d) * t.col(e));
                 for (int a = 0; a < 2; ++a)
                 {
                     for (int b = 0; b < 2; ++b)
