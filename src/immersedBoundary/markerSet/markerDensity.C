@@ -154,20 +154,26 @@ public:
             bin[d][1] = bins_[d].bin(e.at[d] + markerSet::lineReach);
             nBins[d] = bin[d][0] == bin[d][1] ? 1 : 2;
         }
+        // Which of them matter is hard to foresee: no branches
+        label near[8];
+        int count = 0;
         for (int l = 0; l < nBins[2]; ++l)
         {
             for (int j = 0; j < nBins[1]; ++j)
             {
                 for (int i = 0; i < nBins[0]; ++i)
                 {
-                    const binContent& c =
-                        contents_[binOf(bin[0][i], bin[1][j], bin[2][l])];
-                    if (c.line == e.line && !e.folded) continue;
-                    for (label m = c.first; m >= 0; m = all_[m].next)
-                    {
-                        visit(all_[m]);
-                    }
+                    near[count] = binOf(bin[0][i], bin[1][j], bin[2][l]);
+                    const binContent& c = contents_[near[count]];
+                    count += (c.first >= 0) & ((c.line != e.line) | e.folded);
                 }
+            }
+        }
+        for (int b = 0; b < count; ++b)
+        {
+            for (label m = contents_[near[b]].first; m >= 0; m = all_[m].next)
+            {
+                visit(all_[m]);
             }
         }
     }
