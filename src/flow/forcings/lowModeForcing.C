@@ -97,7 +97,6 @@ void Foam::fv::lowModeForcing::add(const direction d, const vector& offset,
     }
 
     std::vector<complexNumber> plane(mx * my), row(mx);
-    label n = 0;
     for (label k = 0; k < box.size.z(); ++k)
     {
         std::fill(plane.begin(), plane.end(), 0.0);
@@ -106,7 +105,7 @@ void Foam::fv::lowModeForcing::add(const direction d, const vector& offset,
             plane[(m.m.x() + M.x()) + mx * (m.m.y() + M.y())] +=
                 m.c[d] * phase(2, m.m.z(), k);
         }
-        for (label j = 0; j < box.size.y(); ++j, n += nx)
+        for (label j = 0; j < box.size.y(); ++j)
         {
             std::fill(row.begin(), row.end(), 0.0);
             for (label l = 0; l < my; ++l)
@@ -117,7 +116,8 @@ void Foam::fv::lowModeForcing::add(const direction d, const vector& offset,
                     row[m] += plane[m + mx * l] * e;
                 }
             }
-            double* __restrict__ out = f.data() + n;
+            double* __restrict__ out =
+                f.data() + j * box.stride(1) + k * box.stride(2);
             for (label m = 0; m < mx; ++m)
             {
                 const double a = row[m].real(), b = row[m].imag();

@@ -101,17 +101,18 @@ Foam::cellBox Foam::lineSolver::deal(const uniformGrid& grid,
     };
 
     const cellBox& from = grid.box();
-    labelList rank(from.count()), place(rank.size());
-    forAll(rank, i)
-    {
-        const labelVector c(from.cell(i));
-        rank[i] = ((c[across] + 1) * ranks - 1) / n;
-        place[i] = linesOf(rank[i]).index(c);
-    }
-    toLines_.reset(new indexExchange(rank, place));
+    DynamicList<label> rank, place, source;
+    from.cells(
+        [&](const label i, const labelVector& c)
+        {
+            rank.append(((c[across] + 1) * ranks - 1) / n);
+            place.append(linesOf(rank.last()).index(c));
+            source.append(i);
+        });
+    toLines_.reset(new indexExchange(rank, place, source));
 
     const cellBox mine(linesOf(Pstream::myProcNo()));
-    whole_.resize(mine.count());
+    whole_.resize(mine.nPlaces());
     return mine;
 }
 
@@ -269,13 +270,14 @@ template<class Visit>
 void Foam::lineSolver::parts(double* x, const lineSolver* earlier, Visit visit)
 {
     const label nx = box_.size.x(), ny = box_.size.y(), nz = box_.size.z();
+    const label layer = box_.stride(2);
     if (dir_)
     {
         const bool z = dir_ == 2;
         for (label k = 0; k < (z ? ny : nz); ++k)
         {
-            double* first = x + k * (z ? nx : nx * ny);
-            const label stride = z ? nx * ny : nx;
+            double* first = x + k * (z ? nx : layer);
+            const label stride = z ? layer : nx;
             for (label l = 0; earlier && l < box_.size[dir_]; ++l)
             {
                 earlier->correctRow(first + l * stride, z ? k : l, z ? l : k);
@@ -289,14 +291,13 @@ void Foam::lineSolver::parts(double* x, const lineSolver* earlier, Visit visit)
         // sweep runs over neighbours, all of them in the cache
         const label wide = 32;
         turned_.resize(nx * wide);
-        for (label line = 0; line < ny * nz; line += wide)
+        for (label line = 0; line < ny * nz;)
         {
-            double* lines = x + line * nx;
-            const label m = min(wide, ny * nz - line);
+            const label y = line % ny, z = line / ny, m = min(wide, ny - y);
+            double* lines = x + y * nx + z * layer;
             for (label j = 0; earlier && j < m; ++j)
             {
-                earlier->correctRow(lines + j * nx, (line + j) % ny,
-                                    (line + j) / ny);
+                earlier->correctRow(lines + j * nx, y + j, z);
             }
             for (label i = 0; i < nx; ++i)
             {
@@ -315,6 +316,7 @@ void Foam::lineSolver::parts(double* x, const lineSolver* earlier, Visit visit)
                     lines[i + j * nx] = across[i * wide];
                 }
             }
+            line += m;
         }
     }
 }

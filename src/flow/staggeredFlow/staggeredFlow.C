@@ -56,7 +56,7 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
     for (direction d = 0; d < 3; ++d)
     {
         u_[d].assign(block_.size(), 0);
-        last_[d].assign(box_.count(), 0);
+        last_[d].assign(box_.nPlaces(), 0);
     }
     pressure_.assign(block_.size(), 0);
     correction_.assign(block_.size(), 0);

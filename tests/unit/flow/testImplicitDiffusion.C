@@ -40,7 +40,7 @@ TEST(ImplicitDiffusion, dividesWaves)
                 product *= 1 + part;
                 sum += part;
             }
-            scalarField exact(box.count(), Zero), x;
+            scalarField exact(box.nPlaces(), Zero), x;
             FixedList<scalar*, 3> only({nullptr, nullptr, nullptr});
             for (const label i : grid().index())
             {
@@ -80,19 +80,17 @@ TEST(ImplicitDiffusion, changingWallsInOrder)
     scalar worst = 0;
     for (direction c = 0; c < 3; ++c)
     {
-        std::vector<scalar> all(whole.count());
-        for (label i = 0; i < whole.count(); ++i)
-        {
-            const labelVector l(whole.cell(i));
-            all[i] = noise(vector(l.x(), l.y(), l.z()));
-            if (!grid().periodic(c) && l[c] == 0) all[i] = 0;
-        }
+        std::vector<scalar> all(whole.nPlaces());
+        whole.cells(
+            [&](const label i, const labelVector& l)
+            {
+                all[i] = noise(vector(l.x(), l.y(), l.z()));
+                if (!grid().periodic(c) && l[c] == 0) all[i] = 0;
+            });
         const cellBox& box = grid().box();
-        scalarField x(box.count());
-        forAll(x, i)
-        {
-            x[i] = all[whole.index(box.cell(i))];
-        }
+        scalarField x(box.nPlaces());
+        box.cells([&](const label i, const labelVector& l)
+                  { x[i] = all[whole.index(l)]; });
         FixedList<scalar*, 3> only({nullptr, nullptr, nullptr});
         only[c] = x.data();
         diffusion.solve(only, b, change);
@@ -118,32 +116,30 @@ TEST(ImplicitDiffusion, changingWallsInOrder)
                 A(0, 0) = 1;
             }
             const Eigen::MatrixXd inverse(A.inverse());
-            for (label i = 0; i < whole.count(); ++i)
-            {
-                labelVector l(whole.cell(i));
-                if (l[d]) continue;
-                Eigen::VectorXd r(n[d]);
-                for (l[d] = 0; l[d] < n[d]; ++l[d])
+            whole.cells(
+                [&](const label, labelVector l)
                 {
-                    r[l[d]] = all[whole.index(l)];
-                }
-                if (walls && !faces)
-                {
-                    r[0] += 2 * beta * change[d][0][c];
-                    r[n[d] - 1] += 2 * beta * change[d][1][c];
-                }
-                if (faces) r[0] = 0;
-                r = inverse * r;
-                for (l[d] = 0; l[d] < n[d]; ++l[d])
-                {
-                    all[whole.index(l)] = r[l[d]];
-                }
-            }
+                    if (l[d]) return;
+                    Eigen::VectorXd r(n[d]);
+                    for (l[d] = 0; l[d] < n[d]; ++l[d])
+                    {
+                        r[l[d]] = all[whole.index(l)];
+                    }
+                    if (walls && !faces)
+                    {
+                        r[0] += 2 * beta * change[d][0][c];
+                        r[n[d] - 1] += 2 * beta * change[d][1][c];
+                    }
+                    if (faces) r[0] = 0;
+                    r = inverse * r;
+                    for (l[d] = 0; l[d] < n[d]; ++l[d])
+                    {
+                        all[whole.index(l)] = r[l[d]];
+                    }
+                });
         }
-        forAll(x, i)
-        {
-            worst = max(worst, mag(x[i] - all[whole.index(box.cell(i))]));
-        }
+        box.cells([&](const label i, const labelVector& l)
+                  { worst = max(worst, mag(x[i] - all[whole.index(l)])); });
     }
     test::expectBelow("walls that change, against whole lines",
                       returnReduce(worst, maxOp<scalar>()), 1e-13);

@@ -20,11 +20,9 @@ TEST(LineSolver, solvesForWaves)
             lineSolver solver(grid(), d, faces);
             for (const scalar beta : {0.01, 1.0, 100.0})
             {
-                scalarField exact(box.count()), x(box.count());
-                forAll(exact, i)
-                {
-                    exact[i] = w.at(box.cell(i));
-                }
+                scalarField exact(box.nPlaces(), Zero), x(box.nPlaces());
+                box.cells([&](const label i, const labelVector& c)
+                          { exact[i] = w.at(c); });
                 x = (1 + beta * w.along[d].eigenvalue()) * exact;
                 solver.solve(x.data(), beta);
                 worst = max(worst, gMax(mag(x - exact)));
@@ -44,11 +42,9 @@ TEST(LineSolver, keepsLinearProfilesBetweenWalls)
     {
         if (grid().periodic(d)) continue;
         lineSolver solver(grid(), d, false);
-        scalarField exact(box.count()), x;
-        forAll(exact, i)
-        {
-            exact[i] = -1 + 3 * (box.cell(i)[d] + 0.5) / grid().n()[d];
-        }
+        scalarField exact(box.nPlaces(), Zero), x;
+        box.cells([&](const label i, const labelVector& c)
+                  { exact[i] = -1 + 3 * (c[d] + 0.5) / grid().n()[d]; });
         x = exact;
         solver.solve(x.data(), 10, -1, 2);
         worst = max(worst, gMax(mag(x - exact)));

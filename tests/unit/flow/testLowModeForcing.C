@@ -15,24 +15,25 @@ TEST(LowModeForcing, evaluatedAtTheStaggeredPoints)
     const staggeredField f(forceOf(*o, b));
     const uniformGrid& grid = uniformGrid::New(b.mesh());
     scalar worst = 0;
-    for (label i = 0; i < f.box().count(); ++i)
-    {
-        for (direction d = 0; d < 3; ++d)
+    f.box().cells(
+        [&](const label i, const labelVector& c)
         {
-            vector x(f.box().cell(i));
-            for (direction e = 0; e < 3; ++e)
+            for (direction d = 0; d < 3; ++d)
             {
-                x[e] = (x[e] + (e == d ? 0 : 0.5)) * grid.h()[e];
+                vector x(c);
+                for (direction e = 0; e < 3; ++e)
+                {
+                    x[e] = (x[e] + (e == d ? 0 : 0.5)) * grid.h()[e];
+                }
+                scalar sum = 0;
+                for (const auto& m : forcing.modes())
+                {
+                    sum += std::real(
+                        m.c[d] * std::polar(1.0, forcing.waveVector(m.m) & x));
+                }
+                worst = max(worst, mag(sum - f[d][i]));
             }
-            scalar sum = 0;
-            for (const auto& m : forcing.modes())
-            {
-                sum += std::real(m.c[d] *
-                                 std::polar(1.0, forcing.waveVector(m.m) & x));
-            }
-            worst = max(worst, mag(sum - f[d][i]));
-        }
-    }
+        });
     test::expectBelow("force at the staggered points against the series", worst,
                       1e-13);
 }

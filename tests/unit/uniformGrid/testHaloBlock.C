@@ -25,10 +25,8 @@ TEST(HaloBlock, fillsItsLayer)
     };
 
     scalarField f(halo.size(), GREAT);
-    for (label i = 0; i < box.count(); ++i)
-    {
-        f[halo.place(box.cell(i) - box.lo)] = value(box.cell(i));
-    }
+    box.cells([&](const label, const labelVector& c)
+              { f[halo.place(c - box.lo)] = value(c); });
     halo.update(f.data());
     halo.extend(f.data());
 
@@ -59,12 +57,12 @@ TEST(HaloBlock, fillsFaces)
     for (direction d = 0; d < 3; ++d)
     {
         all[d] = scalarField(halo.size(), GREAT);
-        for (label i = 0; i < box.count(); ++i)
-        {
-            const labelVector c(box.cell(i));
-            all[d][halo.place(c - box.lo)] =
-                noise(vector(c.x(), c.y(), c.z() + 100 * d));
-        }
+        box.cells(
+            [&](const label, const labelVector& c)
+            {
+                all[d][halo.place(c - box.lo)] =
+                    noise(vector(c.x(), c.y(), c.z() + 100 * d));
+            });
         parts[d] = all[d];
         halo.update(all[d].data());
     }
@@ -92,14 +90,13 @@ TEST(HaloBlock, fillsFaces)
                 }
                 if (under + over == 0) continue;
                 const label q = halo.place(l);
-                wrong += below[q] != (under + over == 1 && under ? all[0][q]
-                                                                 : GREAT);
+                wrong += below[q] !=
+                         (under + over == 1 && under ? all[0][q] : GREAT);
                 for (direction d = 0; d < 3; ++d)
                 {
                     wrong += parts[d][q] !=
-                             (under + over == 1 && over && last == d
-                                  ? all[d][q]
-                                  : GREAT);
+                             (under + over == 1 && over && last == d ? all[d][q]
+                                                                     : GREAT);
                 }
             }
         }

@@ -61,18 +61,19 @@ TEST(FlowOrders, orderInSpaceBetweenWalls)
 
         const staggeredField &fine = u[u.size() - 1], &coarse = u[u.size() - 2];
         scalar sum = 0;
-        for (label i = 0; i < coarse.box().count(); ++i)
-        {
-            const labelVector c(coarse.box().cell(i));
-            if (c.z()) continue;
-            for (direction e = 0; e < 2; ++e)
+        coarse.box().cells(
+            [&](const label i, const labelVector& c)
             {
-                labelVector f(2 * c.x(), 2 * c.y(), 0), g(f);
-                ++g[1 - e];
-                sum += sqr(coarse[e][i] - 0.5 * (fine[e][fine.box().index(f)] +
-                                                 fine[e][fine.box().index(g)]));
-            }
-        }
+                if (c.z()) return;
+                for (direction e = 0; e < 2; ++e)
+                {
+                    labelVector f(2 * c.x(), 2 * c.y(), 0), g(f);
+                    ++g[1 - e];
+                    sum += sqr(coarse[e][i] -
+                               0.5 * (fine[e][fine.box().index(f)] +
+                                      fine[e][fine.box().index(g)]));
+                }
+            });
         d.push_back(std::sqrt(sum) / n);
     }
     expectOrder("walled vortex, order in space, 16 32 64",
