@@ -28,7 +28,7 @@ inline fourValues& fourAt(double* p)
 //  from memory takes longer
 struct Foam::markerSet::weightBatch
 {
-    static constexpr label n = 64;
+    static constexpr label n = 128;
 
     // Where in memory vectors begin decides over the last bit of their values: always at
     // the same place
