@@ -54,14 +54,14 @@ struct momentumRow
         {
             const double *y = u[d] + i, *edge = nuEdge[3 - D - d] + i;
             const label t = step[d];
-            return per[d] * ((edge[t] - nu0) * (per[d] * (x[t] - x[0]) +
-                                                per[D] * (y[t] - y[t - s])) -
-                             (edge[0] - nu0) * (per[d] * (x[0] - x[-t]) +
-                                                per[D] * (y[0] - y[-s])));
+            return per[d] *
+                   ((edge[t] - nu0) * (per[d] * (x[t] - x[0]) +
+                                       per[D] * (y[t] - y[t - s])) -
+                    (edge[0] - nu0) *
+                        (per[d] * (x[0] - x[-t]) + per[D] * (y[0] - y[-s])));
         };
-        return 2 * sqr(per[D]) *
-                   ((centre[0] - nu0) * (x[s] - x[0]) -
-                    (centre[-s] - nu0) * (x[0] - x[-s])) +
+        return 2 * sqr(per[D]) * ((centre[0] - nu0) * (x[s] - x[0]) -
+                                  (centre[-s] - nu0) * (x[0] - x[-s])) +
                across((D + 1) % 3) + across((D + 2) % 3);
     }
 };
@@ -108,19 +108,19 @@ void Foam::staggeredFlow::makeIncrements(const scalar dt, const stage& s)
                 for (int d = 0; d < 3; ++d)
                 {
                     diffusion[d] = row.laplacian(d, i);
-                    terms[d] =
-                        (Convection ? row.convection(d, i) : 0) +
-                        (Variable ? row.stress(d, i) : among * diffusion[d]);
+                    terms[d] = (Convection ? row.convection(d, i) : 0) +
+                               (Variable ? row.stress(d, i)
+                                         : among * diffusion[d]);
                 }
 #pragma GCC unroll 3
                 for (int d = 0; d < 3; ++d)
                 {
                     out[d][i] =
-                        dt *
-                        (now * terms[d] + before * last[d][i] +
-                         others * diffusion[d] +
-                         rest * (out[d][i] -
-                                 row.per[d] * (p[i] - p[i - row.step[d]])));
+                        dt * (now * terms[d] + before * last[d][i] +
+                              others * diffusion[d] +
+                              rest * (out[d][i] -
+                                      row.per[d] *
+                                          (p[i] - p[i - row.step[d]])));
                     last[d][i] = terms[d];
                 }
             }
@@ -140,12 +140,13 @@ void Foam::staggeredFlow::makeIncrements(const scalar dt, const stage& s)
 void Foam::staggeredFlow::holdMean(const direction c, const scalar dt)
 {
     const scalar nAll = scalar(grid_.n().x()) * grid_.n().y() * grid_.n().z();
+    const label nx = box_.size.x();
     const scalar b = explicit_ ? 0 : 0.5 * nuMax_ * dt;
     if (b != responseTo_ || response_.empty())
     {
         response_.assign(box_.nPlaces(), 0);
         block_.rows([&](const label, const label n)
-                    { std::fill_n(&response_[n], box_.size.x(), 1); });
+                    { std::fill_n(&response_[n], nx, 1); });
         FixedList<scalar*, 3> x({nullptr, nullptr, nullptr});
         x[c] = response_.data();
         if (b > 0)
@@ -159,7 +160,6 @@ void Foam::staggeredFlow::holdMean(const direction c, const scalar dt)
         responseTo_ = b;
     }
 
-    const label nx = box_.size.x();
     scalar sum = 0;
     block_.rows(
         [&](const label q, const label)
@@ -347,14 +347,15 @@ void Foam::staggeredFlow::project()
         });
     for (direction d = 0; d < 3; ++d)
     {
-        block_.layerRows(d, -1,
-                         [&](const label q, const label step, const label n)
-                         {
-                             for (label i = q; i < q + n * step; i += step)
-                             {
-                                 pressure_[i] += correction_[i];
-                             }
-                         });
+        block_.layerRows(
+            d, -1,
+            [&](const label q, const label step, const label n)
+            {
+                for (label i = q; i < q + n * step; i += step)
+                {
+                    pressure_[i] += correction_[i];
+                }
+            });
     }
     if (++stage_ < nStages()) return;
     gradient_ /= stepDt_;
