@@ -20,11 +20,7 @@ TEST(LowModeForcing, evaluatedAtTheStaggeredPoints)
         {
             for (direction d = 0; d < 3; ++d)
             {
-                vector x(c);
-                for (direction e = 0; e < 3; ++e)
-                {
-                    x[e] = (x[e] + (e == d ? 0 : 0.5)) * grid.h()[e];
-                }
+                const point x(facePoint(grid, c, d));
                 scalar sum = 0;
                 for (const auto& m : forcing.modes())
                 {

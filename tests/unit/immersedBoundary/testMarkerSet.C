@@ -41,17 +41,6 @@ vectorField randomVectors(const label n, const label seed)
     return v;
 }
 
-//- Position of a staggered point
-point facePoint(const labelVector& ijk, const direction d)
-{
-    point p(grid().origin());
-    for (direction e = 0; e < 3; ++e)
-    {
-        p[e] += (ijk[e] + (e == d ? 0 : 0.5)) * grid().h()[e];
-    }
-    return p;
-}
-
 //- Sum of a component over the cells of all ranks
 template<class Values>
 scalar sumOfCells(Values value)
@@ -71,7 +60,7 @@ void fill(staggeredField& u, Function f)
     {
         for (direction d = 0; d < 3; ++d)
         {
-            u[d][i] = f(facePoint(grid().box().cell(i), d), d);
+            u[d][i] = f(test::facePoint(grid(), grid().box().cell(i), d), d);
         }
     }
 }
@@ -146,7 +135,7 @@ TEST_P(MarkerSet, interpolatesAsTheKernelSays)
                                               s[2].at[c]);
                         sum += s[0].weight[a] * s[1].weight[b] *
                                s[2].weight[c] *
-                               test::noise(facePoint(ijk, d), d);
+                               test::noise(test::facePoint(grid(), ijk, d), d);
                     }
                 }
             }
