@@ -21,6 +21,77 @@ void Foam::bodyOwnership::distribute(bodyGroup& group,
     }
 }
 
+Foam::List<Foam::labelList>
+Foam::bodyOwnership::nBodies(const PtrList<bodyGroup>& groups) const
+{
+    const label me = neighbours_.me(), nRanks = neighbours_.ranks().size();
+    List<scalarField> n(nRanks, scalarField(groups.size()));
+    forAll(groups, g)
+    {
+        n[me][g] = groups[g].mine().size();
+    }
+    blockNeighbours::values out, in;
+    forAll(n, r)
+    {
+        out.emplace_back(n[me].data(), n[me].size());
+        in.emplace_back(n[r].data(), n[r].size());
+    }
+    neighbours_.exchange(out, in);
+
+    List<labelList> byGroup(groups.size(), labelList(nRanks));
+    forAll(byGroup, g)
+    {
+        forAll(n, r)
+        {
+            byGroup[g][r] = label(n[r][g]);
+        }
+    }
+    return byGroup;
+}
+
+Foam::labelList Foam::bodyOwnership::shares(const UList<labelVector>& cells,
+                                            labelList n) const
+{
+    const label me = neighbours_.me();
+    labelList to(cells.size(), me);
+    const auto give = [&](const label i, const label r)
+    {
+        to[i] = r;
+        --n[me];
+        ++n[r];
+    };
+    bool most = true;
+    forAll(n, r)
+    {
+        most = most && (n[r] < n[me] || (n[r] == n[me] && me <= r));
+    }
+    forAll(to, i)
+    {
+        const label holder = neighbours_.holder(cells[i]);
+        if (holder != me && holder >= 0 &&
+            (n[holder] < n[me] || neighbours_.away(cells[i]) > strayLayers_))
+        {
+            give(i, holder);
+        }
+    }
+    if (!most || min(n) > n[me] - 2) return to;
+
+    label body = -1, fewest = me;
+    forAll(to, i)
+    {
+        if (to[i] != me) continue;
+        neighbours_.each(neighbours_.near(strayLayers_), cells[i],
+                         [&](const label r)
+                         {
+                             if (n[r] >= n[fewest]) return;
+                             fewest = r;
+                             body = i;
+                         });
+    }
+    if (body >= 0 && n[fewest] <= n[me] - 2) give(body, fewest);
+    return to;
+}
+
 void Foam::bodyOwnership::migrate(PtrList<bodyGroup>& groups)
 {
     if (!Pstream::parRun()) return;
@@ -28,28 +99,42 @@ void Foam::bodyOwnership::migrate(PtrList<bodyGroup>& groups)
     DynamicList<point> centres;
     forAll(groups, g)
     {
+        if (groups[g].host() >= 0) continue;
         forAll(groups[g].mine(), i)
         {
-            centres.append(groups[g].owningPlace(i));
+            centres.append(groups[g].centre(i));
         }
     }
-    neighbours_.cover(centres, 0);
+    const List<labelVector> cells(neighbours_.cover(centres, 0));
+    const List<labelList> n(nBodies(groups));
+    List<labelList> to(groups.size());
+    label first = 0;
+    forAll(groups, g)
+    {
+        const label host = groups[g].host(), size = groups[g].mine().size();
+        if (host >= 0)
+        {
+            to[g] = to[host];
+            continue;
+        }
+        to[g] = shares(SubList<labelVector>(cells, size, first), n[g]);
+        first += size;
+    }
     // Of each body that leaves: group, number, size of its state, its state
     List<DynamicList<scalar>> leaving(neighbours_.ranks().size());
     label nLeaving = 0;
-    label k = centres.size();
-    forAllReverse(groups, g)
+    forAll(groups, g)
     {
-        forAllReverse(groups[g].mine(), i)
+        forAllReverse(to[g], i)
         {
-            const label holder = neighbours_.holder(centres[--k]);
-            if (holder == neighbours_.me() || holder < 0) continue;
+            const label r = to[g][i];
+            if (r == neighbours_.me()) continue;
             const label body = groups[g].mine()[i];
             const scalarList state(groups[g].release(i));
-            leaving[holder].append(scalar(g));
-            leaving[holder].append(scalar(body));
-            leaving[holder].append(scalar(state.size()));
-            leaving[holder].append(state);
+            leaving[r].append(scalar(g));
+            leaving[r].append(scalar(body));
+            leaving[r].append(scalar(state.size()));
+            leaving[r].append(state);
             ++nLeaving;
         }
     }

@@ -99,9 +99,10 @@ void Foam::markerSet::sort()
 
     const label ofClipped = nBunches, ofCut = nBunches + 1;
     labelList start(nBunches + 3, Zero), in(n);
+    vectorField place(n);
     for (label k = 0; k < n; ++k)
     {
-        const vector x(placeOf(k));
+        const vector& x = place[k] = placeOf(k);
         if (isWithin(x, from, to))
         {
             in[k] = label(x.y() - box.lo.y()) / bunch_ +
@@ -136,9 +137,9 @@ void Foam::markerSet::sort()
             at_[to] = x;
         };
         if (in[k] == ofClipped)
-            eachImage(placeOf(k), put);
+            eachImage(place[k], put);
         else
-            put(placeOf(k));
+            put(place[k]);
     }
 }
 

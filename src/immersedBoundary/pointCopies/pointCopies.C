@@ -32,21 +32,43 @@ void Foam::pointCopies::place(const UList<vector>& X, const label margin)
         return;
     }
 
-    const List<labelVector> cells(neighbours_.cover(X, margin));
+    // Most points are far from other ranks
+    const boundBox alone(neighbours_.near(margin).alone);
+    DynamicList<label> others;
+    DynamicList<vector> there;
+    forAll(X, k)
+    {
+        if (alone.contains(X[k])) continue;
+        others.append(k);
+        there.append(X[k]);
+    }
+    const List<labelVector> cells(neighbours_.cover(there, margin));
     const blockNeighbours::table& reached = neighbours_.near(margin);
     const label nRanks = neighbours_.ranks().size();
-    List<DynamicList<label>> to(nRanks);
-    to[neighbours_.me()].reserve(X.size());
-    forAll(cells, k)
-    {
-        neighbours_.each(reached, cells[k],
-                         [&](const label i) { to[i].append(k); });
-    }
-    labelList sizes(nRanks);
     to_.setSize(nRanks);
-    forAll(to, i)
+    for (DynamicList<label>& k : to_)
     {
-        to_[i].transfer(to[i]);
+        k.clear();
+    }
+    label next = 0;
+    const auto onlyHereUpTo = [&](const label end)
+    {
+        for (; next < end; ++next)
+        {
+            to_[neighbours_.me()].append(next);
+        }
+        ++next;
+    };
+    forAll(others, i)
+    {
+        onlyHereUpTo(others[i]);
+        neighbours_.each(reached, cells[i],
+                         [&](const label r) { to_[r].append(others[i]); });
+    }
+    onlyHereUpTo(X.size());
+    labelList sizes(nRanks);
+    forAll(to_, i)
+    {
         sizes[i] = to_[i].size();
     }
     sizes = neighbours_.sizes(sizes);

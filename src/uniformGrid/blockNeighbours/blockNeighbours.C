@@ -80,10 +80,7 @@ Foam::blockNeighbours::cover(const UList<vector>& X, const label margin)
     forAll(X, k)
     {
         const labelVector cell(grid_.cellAt(X[k]));
-        for (direction d = 0; d < 3; ++d)
-        {
-            away = max(away, away_[d][cell[d]]);
-        }
+        away = max(away, this->away(cell));
         cells[k] = cell;
     }
     reduce(away, maxOp<label>());
@@ -101,7 +98,7 @@ Foam::blockNeighbours::near(const label margin) const
     for (direction d = 0; d < 3; ++d)
     {
         const label n = grid_.n()[d];
-        t[d].assign(n * nWords_, 0);
+        t.near[d].assign(n * nWords_, 0);
         forAll(ranks_, r)
         {
             const cellBox& b = boxes_[ranks_[r]];
@@ -111,10 +108,39 @@ Foam::blockNeighbours::near(const label margin) const
                 if (layersBetween(i, b.lo[d], b.size[d], n,
                                   grid_.periodic(d)) <= margin)
                 {
-                    t[d][i * nWords_ + r / 64] |= uint64_t(1) << (r % 64);
+                    t.near[d][i * nWords_ + r / 64] |= uint64_t(1) << (r % 64);
                 }
             }
         }
+    }
+
+    // Blocks leave the inside of this one to it; bounding boxes that overlap may not
+    const cellBox& mine = grid_.box();
+    vector from(vector::one * -GREAT), to(vector::one * GREAT);
+    std::vector<uint64_t> others(nWords_, ~uint64_t(0));
+    for (direction d = 0; d < 3; ++d)
+    {
+        const bool all = mine.size[d] == grid_.n()[d];
+        const label first = mine.lo[d] + (all ? 0 : margin),
+                    end = mine.lo[d] + mine.size[d] - (all ? 0 : margin);
+        std::vector<uint64_t> any(nWords_, 0);
+        for (label i = first * nWords_; i < end * nWords_; ++i)
+        {
+            any[i % nWords_] |= t.near[d][i];
+        }
+        for (label w = 0; w < nWords_; ++w)
+        {
+            others[w] &= any[w];
+        }
+        if (all) continue;
+        const scalar roundOff = 1e-6;
+        from[d] = grid_.origin()[d] + grid_.h()[d] * (first + roundOff);
+        to[d] = grid_.origin()[d] + grid_.h()[d] * (end - roundOff);
+    }
+    others[me_ / 64] &= ~(uint64_t(1) << (me_ % 64));
+    if (*std::max_element(others.begin(), others.end()) == 0)
+    {
+        t.alone = boundBox(from, to);
     }
     return t;
 }

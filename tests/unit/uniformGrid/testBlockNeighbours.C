@@ -44,7 +44,8 @@ TEST(BlockNeighbours, allRanksAgreeOnTheHolderOfAPoint)
     }
 }
 
-// Every rank with a cell within the margin of a point is found by whoever asks
+// Every rank with a cell within the margin of a point is found by whoever asks; where this
+// rank is said to be alone there is no other
 TEST(BlockNeighbours, findsWhoHasCellsNearAPoint)
 {
     blockNeighbours neighbours(grid());
@@ -52,6 +53,7 @@ TEST(BlockNeighbours, findsWhoHasCellsNearAPoint)
     const label margin = 2;
     neighbours.cover(X, margin);
     const List<cellBox> boxes(grid().allBoxes());
+    const boundBox alone(neighbours.near(margin).alone);
     for (const vector& x : X)
     {
         labelList found;
@@ -85,7 +87,15 @@ TEST(BlockNeighbours, findsWhoHasCellsNearAPoint)
             if (near) expected.append(proci);
         }
         EXPECT_EQ(found, expected);
+        if (alone.contains(x))
+            EXPECT_EQ(found, labelList(1, Pstream::myProcNo()));
     }
+    const vector middle(
+        grid().origin() +
+        cmptMultiply(grid().h(), vector(grid().box().lo) +
+                                     0.5 * vector(grid().box().size)));
+    if (cmptMin(grid().box().size) > 2 * margin)
+        EXPECT_TRUE(alone.contains(middle));
 }
 
 TEST(BlockNeighbours, messagesArrive)

@@ -222,7 +222,8 @@ void Foam::bodyInteractions::compareBoxes()
     DynamicList<vector> centres;
     DynamicList<scalar> facts; // half the sides of the box, number of the body
     DynamicList<boundBox> boxes;
-    scalar largest = 0, offset = 0;
+    scalar largest = 0;
+    label away = 0;
     forAll(groups_, g)
     {
         const bodyGroup& group = groups_[g];
@@ -241,18 +242,16 @@ void Foam::bodyInteractions::compareBoxes()
             facts.append(
                 {half.x(), half.y(), half.z(), scalar(firstBody_[g] + number)});
             largest = max(largest, cmptMax(half));
-            offset =
-                max(offset,
-                    cmptMax(cmptMag(centres.last() - group.owningPlace(i))));
+            away = max(away, neighbours_.away(grid_.cellAt(centres.last())));
         }
     }
     reduce(largest, maxOp<scalar>());
-    reduce(offset, maxOp<scalar>());
+    reduce(away, maxOp<label>());
     const scalar reach = range_ + skin();
 
-    // All boxes that may be near one of this rank, in bins. The rank of a body is that
-    // of its centre, from which the middle of its box may lie apart
-    boxes_.place(centres, grid_.layersWithin(offset + 2 * largest + reach));
+    // All boxes that may be near one of this rank, in bins; the middle of one of these
+    // may lie outside the block
+    boxes_.place(centres, grid_.layersWithin(2 * largest + reach) + away);
     const scalarField there(boxes_.handOut(facts.cdata(), 4));
     const UList<vector>& here = boxes_.here();
     const pointBins bins(grid_, 2 * largest + reach, here.size());
