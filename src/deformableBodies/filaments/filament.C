@@ -24,8 +24,7 @@ Foam::filament::filament(const properties& all, const vectorField& nodes)
       V_(nodes.size(), Zero),
       XBefore_(nodes),
       VBefore_(nodes.size(), Zero),
-      T_(nodes.size() - 1, Zero),
-      meanV_(nodes.size(), Zero)
+      T_(nodes.size() - 1, Zero)
 {
     const label N = all_->segments;
     base_[0] = X_[0];
@@ -93,7 +92,7 @@ void Foam::filament::begin(const scalar dt)
 {
     iterations_ = 0;
     timeLeft_ = dt;
-    meanV_ = Zero;
+    meanV_.clear();
 }
 
 Foam::List<bool> Foam::filament::step(const scalar dt,
@@ -112,7 +111,6 @@ Foam::List<bool> Foam::filament::step(const scalar dt,
         forAll(lines, l)
         {
             advanced[l] = done[l];
-            if (done[l]) lines[l]->meanV_ /= dt;
         }
     }
     forAll(lines, l)
@@ -128,6 +126,10 @@ bool Foam::filament::step(const scalar dt, const surroundings& s)
     if (all_->scheme != IMPLICIT || !tryStep(dt, s))
     {
         const filament before(*this);
+        if (all_->scheme == IMPLICIT)
+        {
+            meanV_ = vectorField(X_.size(), Zero);
+        }
         if (!(all_->scheme == IMPLICIT ? halves(dt, s, 6)
                                        : twoStep(dt, s.force)))
         {
@@ -140,7 +142,7 @@ bool Foam::filament::step(const scalar dt, const surroundings& s)
             return false;
         }
     }
-    meanV_ /= dt;
+    if (meanV_.size()) meanV_ /= dt;
     return true;
 }
 

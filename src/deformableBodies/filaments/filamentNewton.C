@@ -2,6 +2,16 @@
 
 #include "filamentNewton.H"
 
+namespace
+{
+const Foam::filament& deref(const Foam::filament* f) { return *f; }
+const Foam::filament::surroundings&
+deref(const Foam::filament::surroundings& s)
+{
+    return s;
+}
+} // namespace
+
 template<int Lanes>
 void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
                                        const filament::surroundings* around,
@@ -23,23 +33,26 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
     change_.resize(4 * N_ + 3);
 
     // Lanes beyond the last filament repeat it. All numbers first: those that were
-    // stored one by one a moment ago are slow to load together
-    for (int l = 0; l < Lanes; ++l)
+    // stored one by one a moment ago are slow to load together. List by list, as one of
+    // all lanes fits into the first cache
+    const auto take = [&](const auto& values, const auto& of, auto& to)
     {
-        const filament& line = *lines[min(l, n - 1)];
-        const filament::surroundings& s = around[min(l, n - 1)];
-        setLane(l, line.X_, X_);
-        setLane(l, line.V_, V_);
-        setLane(l, line.XBefore_, pastV_);
-        setLane(l, line.VBefore_, pastA_);
-        setLane(l, line.T_, T_);
-        setLane(l, line.clamp_, clamp_);
-        setLane(l, s.force, force_);
-        setLane(l, s.drag, drag_);
-        setLane(l, s.U, U_);
-        setLane(l, s.couple, couple_);
-        if (couple_.size()) setLane(l, s.shear, shear_);
-    }
+        for (int l = 0; l < Lanes; ++l)
+        {
+            setLane(l, deref(of[min(l, n - 1)]).*values, to);
+        }
+    };
+    take(&filament::X_, lines, X_);
+    take(&filament::V_, lines, V_);
+    take(&filament::XBefore_, lines, pastV_);
+    take(&filament::VBefore_, lines, pastA_);
+    take(&filament::T_, lines, T_);
+    take(&filament::clamp_, lines, clamp_);
+    take(&filament::surroundings::force, around, force_);
+    take(&filament::surroundings::drag, around, drag_);
+    take(&filament::surroundings::U, around, U_);
+    take(&filament::surroundings::couple, around, couple_);
+    if (couple_.size()) take(&filament::surroundings::shear, around, shear_);
 
     // BDF2; the first step is of first order
     lanes c1, c2, r;
@@ -308,18 +321,18 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
         advanced[l] = done[l];
         if (!done[l]) continue;
         filament& f = *lines[l];
+        f.VBefore_.swap(f.V_);
+        f.XBefore_.swap(f.X_);
         forAll(f.X_, i)
         {
-            f.VBefore_[i] = f.V_[i];
-            f.XBefore_[i] = f.X_[i];
             for (direction d = 0; d < 3; ++d)
             {
                 f.X_[i][d] = x.X_[i](l, d);
                 f.V_[i][d] = x.c0_[l] * x.X_[i](l, d) + x.pastV_[i](l, d);
             }
-            f.meanV_[i] += dt * f.V_[i];
             if (i < x.N_) f.T_[i] = x.T_[i][l];
         }
+        if (f.meanV_.size()) f.meanV_ += dt * f.V_;
         f.lastDeltaT_ = dt;
         f.timeLeft_ -= dt;
     }

@@ -137,7 +137,6 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
         X_[i] = X[i];
     }
     V_ = (X_ - XBefore_) / dt;
-    meanV_ = dt * V_;
     std::copy(T.begin(), T.end(), T_.begin());
     lastDeltaT_ = dt;
     iterations_ = 1;
