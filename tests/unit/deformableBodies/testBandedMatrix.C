@@ -105,3 +105,57 @@ TEST(BandedMatrix, saysWhichLaneIsSingular)
         EXPECT_EQ(regular[l], l != 2) << l;
     }
 }
+
+// Lanes of a matrix with exchanges of rows beside those of one without, both ways
+TEST(BandedMatrix, takesLanesOfAnother)
+{
+    const systems s;
+    const auto factorsOf = [&](const bool exchanges)
+    {
+        bandedMatrix<band, lanes> A;
+        A.clear(n);
+        for (int i = 0; i < n; ++i)
+        {
+            for (int l = 0; l < nLanes; ++l)
+            {
+                for (int j = max(0, i - band); j <= min(n - 1, i + band); ++j)
+                {
+                    // Large on the diagonal: no row is exchanged
+                    A(i, j)[l] = s.A[l][i][j] + (exchanges || i != j ? 0 : 30);
+                }
+            }
+        }
+        A.factor();
+        return A;
+    };
+    for (const bool exchanges : {false, true})
+    {
+        auto A = factorsOf(exchanges), other = factorsOf(!exchanges);
+        const bool which[nLanes] = {true, true, false, false};
+        A.take(other, which);
+        alignedVector<lanes> x(n);
+        for (int i = 0; i < n; ++i)
+        {
+            for (int l = 0; l < nLanes; ++l)
+            {
+                x[i][l] = s.b[l][i];
+            }
+        }
+        A.solve(x);
+        scalar residual = 0;
+        for (int l = 0; l < nLanes; ++l)
+        {
+            for (int i = 0; i < n; ++i)
+            {
+                double sum = -s.b[l][i];
+                for (int j = max(0, i - band); j <= min(n - 1, i + band); ++j)
+                {
+                    const bool large = exchanges == which[l] && i == j;
+                    sum += (s.A[l][i][j] + (large ? 30 : 0)) * x[j][l];
+                }
+                residual = max(residual, std::abs(sum));
+            }
+        }
+        test::expectBelow("A x - b, largest of all lanes", residual, 1e-12);
+    }
+}
