@@ -4,9 +4,11 @@
 
 namespace
 {
-const Foam::filament& deref(const Foam::filament* f) { return *f; }
-const Foam::filament::surroundings&
-deref(const Foam::filament::surroundings& s)
+const Foam::filament& deref(const Foam::filament* f)
+{
+    return *f;
+}
+const Foam::filament::surroundings& deref(const Foam::filament::surroundings& s)
 {
     return s;
 }
@@ -20,17 +22,19 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
     first_ = lines[0];
     N_ = first_->all_->segments;
     points_ = around[0].points;
-    for (auto* field : {&pastV_, &pastA_, &X_, &V_, &R_, &force_})
+    for (auto* field : {&pastV_, &pastA_, &V_, &force_})
     {
         field->resize(N_ + 1);
     }
-    T_.resize(N_);
+    for (auto* field : {&x_, &change_, &right_, &next_})
+    {
+        field->assign(4 * (N_ + 1), lanes::Zero());
+    }
     drag_.resize(points_.size());
     U_.resize(points_.size());
     t_.resize(points_.size());
     couple_.resize(around[0].couple.size());
     shear_.resize(couple_.size());
-    change_.resize(4 * N_ + 3);
 
     // Lanes beyond the last filament repeat it. All numbers first: those that were
     // stored one by one a moment ago are slow to load together. List by list, as one of
@@ -42,11 +46,24 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
             setLane(l, deref(of[min(l, n - 1)]).*values, to);
         }
     };
-    take(&filament::X_, lines, X_);
+    for (int l = 0; l < Lanes; ++l)
+    {
+        const filament& f = *lines[min(l, n - 1)];
+        forAll(f.X_, i)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                x_[4 * i + d][l] = f.X_[i][d];
+            }
+        }
+        forAll(f.T_, i)
+        {
+            x_[4 * i + 7][l] = f.T_[i];
+        }
+    }
     take(&filament::V_, lines, V_);
     take(&filament::XBefore_, lines, pastV_);
     take(&filament::VBefore_, lines, pastA_);
-    take(&filament::T_, lines, T_);
     take(&filament::clamp_, lines, clamp_);
     take(&filament::surroundings::force, around, force_);
     take(&filament::surroundings::drag, around, drag_);
@@ -67,15 +84,19 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
     for (label i = 0; i <= N_; ++i)
     {
         const vectors V = V_[i], VBefore = pastA_[i];
-        pastV_[i] = X_[i].colwise() * c1 + pastV_[i].colwise() * c2;
+        pastV_[i] = node(x_, i).colwise() * c1 + pastV_[i].colwise() * c2;
         pastA_[i] = V.colwise() * c1 + VBefore.colwise() * c2;
-        X_[i] += dt * (V + (V - VBefore).colwise() * (0.5 * r));
+        node(x_, i) += dt * (V + (V - VBefore).colwise() * (0.5 * r));
     }
     for (const label i : {label(0), N_})
     {
         for (int l = 0; l < Lanes && first_->held(i); ++l)
         {
-            setLane(l, lines[min(l, n - 1)]->heldPlace(i, dt), X_[i]);
+            const vector X(lines[min(l, n - 1)]->heldPlace(i, dt));
+            for (direction d = 0; d < 3; ++d)
+            {
+                x_[4 * i + d][l] = X[d];
+            }
         }
     }
 
@@ -84,13 +105,17 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
     forAll(points_, k)
     {
         const label i = points_[k].segment;
-        t_[k] = X_[i + 1] - X_[i];
+        t_[k] = node(x_, i + 1) - node(x_, i);
         t_[k].colwise() /= dot(t_[k], t_[k]).sqrt().eval();
         meanDrag += drag_[k] / (N_ + 1);
     }
     const filament::properties& all = *first_->all_;
     unit_ = all.ds() * all.mass * c0_.square() + meanDrag * c0_ +
             6 * all.rigidity / pow3(all.ds());
+    for (label i = 0; i < N_; ++i)
+    {
+        x_[4 * i + 7] /= unit_;
+    }
 }
 
 template<int Lanes>
@@ -100,10 +125,10 @@ void Foam::filamentNewton<Lanes>::addInertia()
     for (label i = 0; i <= N_; ++i)
     {
         const scalar w = all.lengthOf(i);
-        V_[i] = X_[i].colwise() * c0_ + pastV_[i];
-        R_[i] =
-            w * (all.mass * (V_[i].colwise() * c0_ + pastA_[i]) - force_[i]);
-        for (direction d = 0; d < 3 && assembles_; ++d)
+        V_[i] = node(x_, i).colwise() * c0_ + pastV_[i];
+        node(right_, i) =
+            w * (force_[i] - all.mass * (V_[i].colwise() * c0_ + pastA_[i]));
+        for (direction d = 0; d < 3; ++d)
         {
             newA_(4 * i + d, 4 * i + d) += w * all.mass * c0_.square();
         }
@@ -122,22 +147,21 @@ void Foam::filamentNewton<Lanes>::addDrag()
         vectors F = share[0] * V_[i] + share[1] * V_[i + 1] - U_[k];
         F -= along * (t.colwise() * dot(t, F)).eval();
         F.colwise() *= drag_[k];
-        R_[i] += share[0] * F;
-        R_[i + 1] += share[1] * F;
-        for (direction d = 0; d < 3 && assembles_; ++d)
+        node(right_, i) -= share[0] * F;
+        node(right_, i + 1) -= share[1] * F;
+        for (direction d = 0; d < 3; ++d)
         {
             for (direction e = 0; e < 3; ++e)
             {
                 if (d != e && along == 0) continue;
                 const lanes D = c0_ * drag_[k] *
                                 (scalar(d == e) - along * t.col(d) * t.col(e));
+                newA_(4 * i + d, 4 * i + 4 + e) += share[0] * share[1] * D;
+                if (d > e) continue;
                 for (int a = 0; a < 2; ++a)
                 {
-                    for (int b = 0; b < 2; ++b)
-                    {
-                        newA_(4 * (i + a) + d, 4 * (i + b) + e) +=
-                            share[a] * share[b] * D;
-                    }
+                    const label first = 4 * (i + a);
+                    newA_(first + d, first + e) += sqr(share[a]) * D;
                 }
             }
         }
@@ -154,15 +178,17 @@ void Foam::filamentNewton<Lanes>::addBending()
             const scalar* factor)
         {
             const scalar w = weight * stiffness;
-            vectors force = factor[0] * X_[at[0]] + factor[1] * X_[k] +
-                            factor[2] * X_[at[2]];
+            vectors force = factor[0] * node(x_, at[0]) +
+                            factor[1] * node(x_, k) +
+                            factor[2] * node(x_, at[2]);
             if (k == 0) force -= 2 * ds * clamp_[0];
             if (k == N_) force += 2 * ds * clamp_[1];
             for (int a = 0; a < 3; ++a)
             {
-                R_[at[a]] += w * factor[a] * force;
-                for (int b = 0; b < 3 && assembles_; ++b)
+                node(right_, at[a]) -= w * factor[a] * force;
+                for (int b = 0; b < 3; ++b)
                 {
+                    if (at[a] > at[b]) continue;
                     for (direction d = 0; d < 3; ++d)
                     {
                         newA_(4 * at[a] + d, 4 * at[b] + d) +=
@@ -179,28 +205,29 @@ void Foam::filamentNewton<Lanes>::addTension()
     const scalar ds = first_->all_->ds();
     for (label i = 0; i < N_; ++i)
     {
-        const vectors t = (X_[i + 1] - X_[i]) / ds;
-        vectors pull = t.colwise() * T_[i];
-        lanes answer = T_[i] / ds;
+        const label k = 4 * i + 7;
+        const vectors t = (node(x_, i + 1) - node(x_, i)) / ds;
+        const lanes T = unit_ * x_[k];
+        vectors pull = t.colwise() * T;
+        lanes answer = T / ds;
         if (couple_.size())
         {
             pull +=
                 (shear_[i] + (V_[i + 1] - V_[i]) / ds).colwise() * couple_[i];
             answer += couple_[i] * c0_ / ds;
         }
-        R_[i] -= pull;
-        R_[i + 1] += pull;
-        for (direction d = 0; d < 3 && assembles_; ++d)
+        node(right_, i) += pull;
+        node(right_, i + 1) -= pull;
+        for (direction d = 0; d < 3; ++d)
         {
-            const label a = 4 * i + d, b = a + 4, k = 4 * i + 3;
+            const label a = 4 * i + d, b = a + 4;
             newA_(a, a) += answer;
             newA_(b, b) += answer;
             newA_(a, b) -= answer;
-            newA_(b, a) -= answer;
-            newA_(b, k) = newA_(k, b) = unit_ * t.col(d);
-            newA_(a, k) = newA_(k, a) = -newA_(b, k);
+            newA_(b, k) = unit_ * t.col(d);
+            newA_(a, k) = -newA_(b, k);
         }
-        change_[4 * i + 3] = -0.5 * ds * unit_ * (dot(t, t) - 1);
+        right_[k] = -0.5 * ds * unit_ * (dot(t, t) - 1);
     }
 }
 
@@ -208,34 +235,68 @@ void Foam::filamentNewton<Lanes>::addTension()
 template<int Lanes>
 void Foam::filamentNewton<Lanes>::hold()
 {
-    const label n = 4 * N_ + 3;
-    for (label i = 0; i <= N_; ++i)
+    const label n = 4 * (N_ + 1);
+    for (const label i : {label(0), N_})
     {
-        const bool held = first_->held(i);
-        for (direction d = 0; d < 3; ++d)
+        for (label a = 4 * i; a < 4 * i + 3 && first_->held(i); ++a)
         {
-            const label a = 4 * i + d;
-            change_[a] = held ? lanes(lanes::Zero()) : lanes(-R_[i].col(d));
-            if (!held || !assembles_) continue;
-            for (label j = max(label(0), a - 8); j <= min(n - 1, a + 8); ++j)
+            for (label b = max(label(0), a - 8); b <= min(n - 1, a + 8); ++b)
             {
-                newA_(a, j) = lanes::Zero();
+                newA_(min(a, b), max(a, b)) = lanes::Zero();
             }
             newA_(a, a) = unit_;
+            right_[a] = lanes::Zero();
         }
     }
 }
 
+// For those that are fresh from where they are now; for the others, which have not
+// moved from where theirs was made, the same right-hand side once more
 template<int Lanes>
-void Foam::filamentNewton<Lanes>::assemble()
+auto Foam::filamentNewton<Lanes>::linearise(const mask& fresh) -> mask
 {
-    assembles_ = fresh_.any();
-    if (assembles_) newA_.clear(4 * N_ + 3);
+    const label n = 4 * (N_ + 1);
+    for (label j = 0; j < n; ++j)
+    {
+        x_[j] += fresh.select(change_[j], scalar(0));
+        change_[j] = fresh.select(scalar(0), change_[j]);
+    }
+    newA_.clear(n);
+    newA_(3, 3) = unit_;
     addInertia();
     addDrag();
     addBending();
     addTension();
     hold();
+
+    mask regular;
+    const auto result = newA_.factor();
+    for (int l = 0; l < Lanes; ++l)
+    {
+        regular[l] = result[l] || !fresh[l];
+    }
+    if (fresh.all())
+        std::swap(A_, newA_);
+    else
+        A_.take(newA_, fresh.data());
+    return regular;
+}
+
+// Nothing is of higher order than tension times direction and the square of the
+// length of a segment
+template<int Lanes>
+void Foam::filamentNewton<Lanes>::addQuadratic()
+{
+    const scalar ds = first_->all_->ds();
+    for (label i = 0; i < N_; ++i)
+    {
+        const label k = 4 * i + 7;
+        const vectors t = (node(change_, i + 1) - node(change_, i)) / ds;
+        const vectors pull = t.colwise() * (unit_ * change_[k]);
+        if (!first_->held(i)) node(next_, i) += pull;
+        if (!first_->held(i + 1)) node(next_, i + 1) -= pull;
+        next_[k] -= 0.5 * ds * unit_ * dot(t, t);
+    }
 }
 
 template<int Lanes>
@@ -247,12 +308,11 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
     // Work space of all filaments
     static filamentNewton<Lanes> x;
     x.load(dt, lines, around, n);
-    x.fresh_.setConstant(true);
 
     const filament::properties& all = *lines[0]->all_;
     const scalar ds = all.ds();
     lanes before = lanes::Constant(sqr(ds));
-    mask going, done = mask::Constant(false);
+    mask going, done = mask::Constant(false), fresh = mask::Constant(true);
     for (int l = 0; l < Lanes; ++l)
     {
         going[l] = l < n;
@@ -263,55 +323,33 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
         {
             if (going[l]) ++lines[l]->iterations_;
         }
-        x.assemble();
-        if (x.assembles_)
-        {
-            const std::array<bool, Lanes> regular = x.newA_.factor();
-            for (int l = 0; l < Lanes; ++l)
-            {
-                going[l] = going[l] && (regular[l] || !x.fresh_[l]);
-            }
-            if (x.fresh_.all())
-                std::swap(x.A_, x.newA_);
-            else
-                x.A_.take(x.newA_, x.fresh_.data());
-        }
-        x.A_.solve(x.change_);
+        if (fresh.any()) going = going && x.linearise(fresh);
+        x.next_ = x.right_;
+        x.addQuadratic();
+        x.A_.solve(x.next_);
 
         // Square of the largest change of a place
         lanes largest = lanes::Zero();
         for (label i = 0; i <= x.N_; ++i)
         {
-            lanes square = lanes::Zero();
-            for (direction d = 0; d < 3; ++d)
-            {
-                square += x.change_[4 * i + d].square();
-            }
-            largest = largest.max(square);
+            const vectors change = node(x.next_, i) - node(x.change_, i);
+            largest = largest.max(dot(change, change));
         }
         going = going && largest < sqr(all.length);
-        for (label i = 0; i <= x.N_; ++i)
+        for (size_t j = 0; j < x.change_.size(); ++j)
         {
-            for (direction d = 0; d < 3; ++d)
-            {
-                x.X_[i].col(d) += going.select(x.change_[4 * i + d], scalar(0));
-            }
-            if (i < x.N_)
-            {
-                x.T_[i] +=
-                    going.select(x.unit_ * x.change_[4 * i + 3], scalar(0));
-            }
+            x.change_[j] = going.select(x.next_[j], x.change_[j]);
         }
 
         // The lengths' error left is the square of the last change with a matrix
         // of its own, else that change times the rate of convergence
         const lanes change = largest / sqr(ds);
         const mask converged =
-            (x.fresh_ && change < 1e-16) ||
-            (!x.fresh_ && change * (largest / before).min(scalar(1)) < 1e-24);
+            (fresh && change < 1e-16) ||
+            (!fresh && change * (largest / before).min(scalar(1)) < 1e-24);
         done = done || (going && converged);
         going = going && !done;
-        x.fresh_ = going && largest > 0.01 * before;
+        fresh = going && largest > 0.01 * before;
         before = largest.max(sqr(1e-15 * ds));
     }
 
@@ -327,10 +365,15 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
         {
             for (direction d = 0; d < 3; ++d)
             {
-                f.X_[i][d] = x.X_[i](l, d);
-                f.V_[i][d] = x.c0_[l] * x.X_[i](l, d) + x.pastV_[i](l, d);
+                const scalar X = x.x_[4 * i + d][l] + x.change_[4 * i + d][l];
+                f.X_[i][d] = X;
+                f.V_[i][d] = x.c0_[l] * X + x.pastV_[i](l, d);
             }
-            if (i < x.N_) f.T_[i] = x.T_[i][l];
+        }
+        forAll(f.T_, i)
+        {
+            const label k = 4 * i + 7;
+            f.T_[i] = x.unit_[l] * (x.x_[k][l] + x.change_[k][l]);
         }
         if (f.meanV_.size()) f.meanV_ += dt * f.V_;
         f.lastDeltaT_ = dt;

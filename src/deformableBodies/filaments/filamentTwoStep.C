@@ -40,7 +40,7 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
     // Tension that keeps the lengths: t.(a_{i+1} - a_i)/ds as below
     bandedMatrix<1> tension;
     tension.clear(N);
-    std::vector<double> T(N);
+    alignedVector<scalar> T(N);
     scalarField inverse(N + 1);
     forAll(inverse, i)
     {
@@ -52,10 +52,6 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
     {
         const vector t(along(shape, i));
         tension(i, i) = -(inverse[i] + inverse[i + 1]) / ds * magSqr(t);
-        if (i > 0)
-        {
-            tension(i, i - 1) = inverse[i] / ds * (t & along(shape, i - 1));
-        }
         if (i + 1 < N)
         {
             tension(i, i + 1) = inverse[i + 1] / ds * (t & along(shape, i + 1));
@@ -74,11 +70,10 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
     const scalar part = centred ? 0.5 : 1;
     bandedMatrix<2> A;
     A.clear(N + 1);
-    std::vector<vector> X(N + 1);
     vectorField b(force);
     const auto add = [&](const label i, const label j, const scalar value)
     {
-        A(i, j) += part * value;
+        if (i <= j) A(i, j) += part * value;
         if (centred) b[i] -= 0.5 * value * old[j];
     };
     forAll(b, i)
@@ -114,27 +109,33 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
                 }
             }
         });
-    forAll(b, i)
+    for (const label i : {label(0), N})
     {
-        if (held(i))
+        if (!held(i)) continue;
+        b[i] = heldPlace(i, dt);
+        for (label j = max(i - 2, label(0)); j <= min(i + 2, N); ++j)
         {
-            for (label j = max(i - 2, label(0)); j <= min(i + 2, N); ++j)
-            {
-                A(i, j) = 0;
-            }
-            A(i, i) = 1;
-            b[i] = heldPlace(i, dt);
+            scalar& a = A(min(i, j), max(i, j));
+            if (j != i) b[j] -= a * b[i];
+            a = j == i ? 1 : 0;
         }
-        X[i] = b[i];
     }
     if (!A.factor()[0]) return false;
-    A.solve(X);
 
     XBefore_ = X_;
     VBefore_ = V_;
-    forAll(X_, i)
+    for (direction d = 0; d < 3; ++d)
     {
-        X_[i] = X[i];
+        alignedVector<scalar> x(N + 1);
+        forAll(X_, i)
+        {
+            x[i] = b[i][d];
+        }
+        A.solve(x);
+        forAll(X_, i)
+        {
+            X_[i][d] = x[i];
+        }
     }
     V_ = (X_ - XBefore_) / dt;
     std::copy(T.begin(), T.end(), T_.begin());
