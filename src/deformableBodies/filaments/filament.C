@@ -2,6 +2,7 @@
 
 #include "filament.H"
 #include "filamentNewton.H"
+#include <cmath>
 
 Foam::filament::filament(const properties& all, const point& first,
                          const vector& direction)
@@ -144,6 +145,21 @@ bool Foam::filament::step(const scalar dt, const surroundings& s)
     }
     if (meanV_.size()) meanV_ /= dt;
     return true;
+}
+
+// A line of a given length between two ends lies within a spheroid about them
+Foam::boundBox Foam::filament::roughBounds() const
+{
+    if (all_->scheme != IMPLICIT) return boundBox(X_, false);
+    const point middle(0.5 * (X_.first() + X_.last()));
+    const vector chord(X_.last() - X_.first());
+    const scalar slack = max(sqr(all_->length) - magSqr(chord), scalar(0));
+    vector half;
+    for (direction d = 0; d < 3; ++d)
+    {
+        half[d] = 0.5 * std::sqrt(slack + sqr(chord[d]));
+    }
+    return boundBox(middle - half, middle + half);
 }
 
 Foam::scalar Foam::filament::lengthError() const

@@ -224,20 +224,11 @@ Foam::bodyPoints Foam::filamentGroup::initialPoints(const label number) const
     return pointsOf(number, X, vectorField(X.size(), Zero));
 }
 
-// At each step: boundBox's own loop is not inlined and takes several times as long
-Foam::boundBox Foam::filamentGroup::bounds(const label i, const bool) const
+Foam::boundBox Foam::filamentGroup::bounds(const label i,
+                                           const bool smallest) const
 {
-    const vectorField& X = bodies_[i].line.places();
-    boundBox box(X[0], X[0]);
-    for (const point& x : X)
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            box.min()[d] = min(box.min()[d], x[d]);
-            box.max()[d] = max(box.max()[d], x[d]);
-        }
-    }
-    return box;
+    const filament& line = bodies_[i].line;
+    return smallest ? boundBox(line.places(), false) : line.roughBounds();
 }
 
 Foam::boundBox Foam::filamentGroup::forcedBounds(const label i) const
@@ -357,5 +348,5 @@ void Foam::filamentGroup::checkStart(const label i,
                                      const dictionary& dict) const
 {
     const label number = mine()[i];
-    checkWalls(dict, number, bounds(i, false));
+    checkWalls(dict, number, bounds(i, true));
 }

@@ -261,9 +261,11 @@ Foam::string Foam::filamentGroup::move(const vector* U,
     const auto timing(scene_.effects.time("filament"));
     const label all = mine().size(), some = min(all, filament::together);
     List<filament::surroundings> around(some);
+    // In one-way coupling the inertia of the fluid in its place is a force
+    const bool loaded = !twoWay() || scene_.forces.actOn(name());
     for (filament::surroundings& x : around)
     {
-        x.force.setSize(properties_.segments + 1);
+        x.force.setSize(loaded ? properties_.segments + 1 : 0);
         x.points = points_;
         x.drag.setSize(points_.size());
         x.U.setSize(points_.size());

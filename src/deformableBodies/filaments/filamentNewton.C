@@ -22,10 +22,11 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
     first_ = lines[0];
     N_ = first_->all_->segments;
     points_ = around[0].points;
-    for (auto* field : {&pastV_, &pastA_, &V_, &force_})
+    for (auto* field : {&pastV_, &pastA_, &V_})
     {
         field->resize(N_ + 1);
     }
+    force_.resize(around[0].force.size());
     for (auto* field : {&x_, &change_, &right_, &next_})
     {
         field->assign(4 * (N_ + 1), lanes::Zero());
@@ -126,8 +127,8 @@ void Foam::filamentNewton<Lanes>::addInertia()
     {
         const scalar w = all.lengthOf(i);
         V_[i] = node(x_, i).colwise() * c0_ + pastV_[i];
-        node(right_, i) =
-            w * (force_[i] - all.mass * (V_[i].colwise() * c0_ + pastA_[i]));
+        node(right_, i) = (-w * all.mass) * (V_[i].colwise() * c0_ + pastA_[i]);
+        if (force_.size()) node(right_, i) += w * force_[i];
         for (direction d = 0; d < 3; ++d)
         {
             newA_(4 * i + d, 4 * i + d) += w * all.mass * c0_.square();

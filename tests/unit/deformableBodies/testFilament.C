@@ -17,12 +17,15 @@ TEST(Filament, nonlinearSwing)
     const std::vector<std::pair<scalar, scalar>> reference = {
         {0.2, 0.249186},  {0.4, 0.057618}, {0.6, -0.250113}, {0.8, -0.346147},
         {1.0, -0.253351}, {1.6, 0.345103}, {2.0, 0.085441}};
-    scalar largest = 0, length = 0;
+    scalar largest = 0, length = 0, outside = 0;
     const scalar dt = 5e-4;
     run(x, dt, 4000, vector(-10, 0, 0),
         [&](const filament& f, const scalar t)
         {
             length = max(length, f.lengthError());
+            const boundBox box(f.places(), false), rough(f.roughBounds());
+            outside = max(outside, cmptMax(rough.min() - box.min()));
+            outside = max(outside, cmptMax(box.max() - rough.max()));
             for (const auto& r : reference)
             {
                 if (mag(t - r.first) < 0.5 * dt)
@@ -33,6 +36,8 @@ TEST(Filament, nonlinearSwing)
         });
     test::expectBelow("tip against the reference", largest / 0.309, 0.01);
     test::expectBelow("length of the segments, relative", length, 1e-10);
+    test::expectBelow("outside its bounds from ends and length", outside,
+                      1e-12);
 }
 
 // Frequencies of small vibrations, f = (beta L)^2/(2 pi) sqrt(B/(m L^4)), from
