@@ -251,8 +251,8 @@ void Foam::filamentNewton<Lanes>::hold()
     }
 }
 
-// For those that are fresh from where they are now; for the others, which have not
-// moved from where theirs was made, the same right-hand side once more
+// Matrix and right-hand side: of fresh lanes where they are now; the others stay
+// where theirs were made, and keep their matrix
 template<int Lanes>
 auto Foam::filamentNewton<Lanes>::linearise(const mask& fresh) -> mask
 {
@@ -283,8 +283,8 @@ auto Foam::filamentNewton<Lanes>::linearise(const mask& fresh) -> mask
     return regular;
 }
 
-// Nothing is of higher order than tension times direction and the square of the
-// length of a segment
+// What the change does beyond the linear terms: two products, tension times
+// direction and the square of a segment's length
 template<int Lanes>
 void Foam::filamentNewton<Lanes>::addQuadratic()
 {
