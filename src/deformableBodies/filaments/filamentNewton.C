@@ -52,10 +52,7 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
         const filament& f = *lines[min(l, n - 1)];
         forAll(f.X_, i)
         {
-            for (direction d = 0; d < 3; ++d)
-            {
-                x_[4 * i + d][l] = f.X_[i][d];
-            }
+            setPlace(l, i, f.X_[i]);
         }
         forAll(f.T_, i)
         {
@@ -93,11 +90,7 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
     {
         for (int l = 0; l < Lanes && first_->held(i); ++l)
         {
-            const vector X(lines[min(l, n - 1)]->heldPlace(i, dt));
-            for (direction d = 0; d < 3; ++d)
-            {
-                x_[4 * i + d][l] = X[d];
-            }
+            setPlace(l, i, lines[min(l, n - 1)]->heldPlace(i, dt));
         }
     }
 
