@@ -9,11 +9,27 @@ namespace
 {
 using namespace Foam;
 
+//- Call visit with std::true_type or std::false_type for each of some choices, which are so
+//  made outside its loops
+template<class Visit>
+void choose(Visit visit)
+{
+    visit();
+}
+template<class Visit, class... More>
+void choose(Visit visit, const bool first, const More... more)
+{
+    const auto with = [&](auto chosen)
+    { choose([&](auto... others) { visit(chosen, others...); }, more...); };
+    first ? with(std::true_type()) : with(std::false_type());
+}
+
 //- Terms of the momentum equation at place i of a row of cells, component D
 struct momentumRow
 {
-    //- One over h, and the steps to the next places in each direction
-    double per[3];
+    //- One over h, nu/h^2 of explicit diffusion, and the steps to the next places in
+    //  each direction
+    double per[3], rate[3];
     label step[3];
 
     //- The velocity; nu and its values at the edges along each direction, what of nu is
@@ -30,7 +46,9 @@ struct momentumRow
     }
 
     //- All nine fluxes have one form: the component that carries, averaged along D,
-    //  times component D averaged along the direction of the carrying one
+    //  times component D averaged along the direction of the carrying one. The sums of
+    //  two neighbours that this needs serve explicit diffusion as well
+    template<bool WithDiffusion>
     double convection(const int D, const label i) const
     {
         const double* x = u[D] + i;
@@ -38,11 +56,17 @@ struct momentumRow
         {
             const double* carrier = u[d] + i;
             const label s = step[D], t = step[d];
-            return 0.25 * per[d] *
-                   ((carrier[0] + carrier[-s]) * (x[0] + x[-t]) -
-                    (carrier[t] + carrier[t - s]) * (x[0] + x[t]));
+            const double share = 0.25 * per[d];
+            const double carryIn = carrier[0] + carrier[-s],
+                         carryOut = carrier[t] + carrier[t - s];
+            const double below = x[0] + x[-t], above = x[0] + x[t];
+            return WithDiffusion ? (rate[d] + share * carryIn) * below +
+                                       (rate[d] - share * carryOut) * above
+                                 : share * (carryIn * below - carryOut * above);
         };
-        return along(0) + along(1) + along(2);
+        const double sum = along(0) + along(1) + along(2);
+        return WithDiffusion ? sum - 4 * (rate[0] + rate[1] + rate[2]) * x[0]
+                             : sum;
     }
 
     //- The viscous force of nu - nu0
@@ -68,71 +92,105 @@ struct momentumRow
 } // namespace
 
 // Without the implicit factors, in place of the force; the new explicit terms replace the
-// last ones. All increments are made from the velocity before: they wait until the last
-// is done. The components of a cell follow each other: each flux that two of them share
-// is computed once
-template<bool Convection, bool Variable>
-void Foam::staggeredFlow::makeIncrements(const scalar dt, const stage& s)
+// last ones. All increments are made from the velocity before: where they are added at
+// once, those of a layer wait for the next layer's. The components of a cell follow each
+// other: each flux that two of them share is computed once
+template<bool Convection, bool Variable, bool Implicit>
+void Foam::staggeredFlow::makeIncrements(const scalar dt, const stage& s,
+                                         const choice<Convection>,
+                                         const choice<Variable>,
+                                         const choice<Implicit>)
 {
     // nu L u is among the explicit terms or among the others
-    const double among = explicit_ ? nuMax_ : 0, nu0 = nuMax_ - among;
-    const double now = s.now, before = s.before, rest = s.others,
+    constexpr bool among = !Implicit && !Variable;
+    const double nu0 = Implicit ? nuMax_ : 0;
+    const double now = dt * s.now, before = dt * s.before, rest = dt * s.others,
                  others = rest * nu0;
     momentumRow all;
     all.nu0 = nu0;
     for (direction d = 0; d < 3; ++d)
     {
         all.per[d] = 1 / grid_.h()[d];
+        all.rate[d] = nuMax_ * sqr(all.per[d]);
         all.step[d] = block_.stride(d);
     }
     const label nx = box_.size.x();
-    block_.rows(
-        [=](const label q, const label n)
+    const auto makeRow = [=](const label q, const label n)
+    {
+        momentumRow row(all);
+        double *last[3], *out[3];
+        for (direction d = 0; d < 3; ++d)
         {
-            momentumRow row(all);
-            double *last[3], *out[3];
-            for (direction d = 0; d < 3; ++d)
-            {
-                row.u[d] = u_[d].data() + q;
-                if (Variable) row.nuEdge[d] = nuEdge_[d].data() + q;
-                last[d] = last_[d].data() + n;
-                out[d] = increment()[d].data() + n;
-            }
-            if (Variable) row.nu = nu_.data() + q;
-            const double* p = pressure_.data() + q;
+            row.u[d] = u_[d].data() + q;
+            if (Variable) row.nuEdge[d] = nuEdge_[d].data() + q;
+            last[d] = last_[d].data() + n;
+            out[d] = increment()[d].data() + n;
+        }
+        if (Variable) row.nu = nu_.data() + q;
+        const double* p = pressure_.data() + q;
 #pragma GCC ivdep
-            for (label i = 0; i < nx; ++i)
+        for (label i = 0; i < nx; ++i)
+        {
+            double diffusion[3], terms[3];
+#pragma GCC unroll 3
+            for (int d = 0; d < 3; ++d)
             {
-                double diffusion[3], terms[3];
-#pragma GCC unroll 3
-                for (int d = 0; d < 3; ++d)
-                {
-                    diffusion[d] = row.laplacian(d, i);
-                    terms[d] = (Convection ? row.convection(d, i) : 0) +
-                               (Variable ? row.stress(d, i)
-                                         : among * diffusion[d]);
-                }
-#pragma GCC unroll 3
-                for (int d = 0; d < 3; ++d)
-                {
-                    out[d][i] =
-                        dt * (now * terms[d] + before * last[d][i] +
-                              others * diffusion[d] +
-                              rest * (out[d][i] -
-                                      row.per[d] *
-                                          (p[i] - p[i - row.step[d]])));
-                    last[d][i] = terms[d];
-                }
+                diffusion[d] =
+                    Implicit || !Convection ? row.laplacian(d, i) : 0;
+                terms[d] = (Convection ? row.convection<among>(d, i)
+                            : among    ? nuMax_ * diffusion[d]
+                                       : 0) +
+                           (Variable ? row.stress(d, i) : 0);
             }
-        });
+#pragma GCC unroll 3
+            for (int d = 0; d < 3; ++d)
+            {
+                out[d][i] = now * terms[d] + before * last[d][i] +
+                            (Implicit ? others * diffusion[d] : 0) +
+                            rest * (out[d][i] -
+                                    row.per[d] * (p[i] - p[i - row.step[d]]));
+                last[d][i] = terms[d];
+            }
+        }
+    };
+    const label nz = box_.size.z();
+    for (label k = 0; k < nz; ++k)
+    {
+        block_.rows(k, makeRow);
+        if (addsAtOnce() && k) addIncrements(k - 1);
+    }
+    if (addsAtOnce()) addIncrements(nz - 1);
 
     // The velocity on a wall stays
     for (direction d = 0; d < 3; ++d)
     {
-        const auto stay = [&](const label i)
-        { increment()[d][i] = last_[d][i] = 0; };
-        if (block_.wallBelow(d)) box_.layer(d, 0, stay);
+        if (!block_.wallBelow(d)) continue;
+        box_.layer(d, 0,
+                   [&](const label i) { increment()[d][i] = last_[d][i] = 0; });
+        block_.layer(d, 0,
+                     [&](const labelVector& l) { u_[d][block_.place(l)] = 0; });
     }
+}
+
+// The increments of AB2 lie in place of the force, which is zero after the step
+void Foam::staggeredFlow::addIncrements(const label k)
+{
+    block_.rows(
+        k,
+        [&](const label q, const label n)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                double* u = u_[d].data() + q;
+                double* change = increment()[d].data() + n;
+#pragma GCC ivdep
+                for (label i = 0; i < box_.size.x(); ++i)
+                {
+                    u[i] += change[i];
+                    change[i] = 0;
+                }
+            }
+        });
 }
 
 // The acceleration, uniform in space, that brings the mean of the velocity to what
@@ -185,8 +243,6 @@ void Foam::staggeredFlow::predict()
 {
     const stage& s = stages_[stage_];
     const auto timing(effects_.time("momentum"));
-    added_ = false;
-
     scalar passed = 0;
     for (label i = 0; i <= stage_; ++i)
     {
@@ -203,23 +259,19 @@ void Foam::staggeredFlow::predict()
     }
     updateVelocity();
 
-    if (convection_ && variable()) makeIncrements<true, true>(stepDt_, s);
-    if (convection_ && !variable()) makeIncrements<true, false>(stepDt_, s);
-    if (!convection_ && variable()) makeIncrements<false, true>(stepDt_, s);
-    if (!convection_ && !variable()) makeIncrements<false, false>(stepDt_, s);
+    choose([&](auto... choices) { makeIncrements(stepDt_, s, choices...); },
+           convection_, variable(), !explicit_);
 }
 
-// Of AB2 with explicit diffusion the velocity with the increments added; else these,
+// Of AB2 with explicit diffusion the velocity, which has the increments; else these,
 // without the implicit factors and as a share of those of the whole step, predict the
 // velocity at its end
 Foam::velocityPrediction Foam::staggeredFlow::prediction()
 {
     const scalar others = stages_[stage_].others, dt = others * stepDt_;
     velocityPrediction p;
-    if (explicit_ && !RK3_)
+    if (addsAtOnce())
     {
-        const auto timing(effects_.time("momentum"));
-        addIncrements();
         staggeredTarget u;
         u.row = block_.stride(1);
         u.layer = block_.stride(2);
@@ -244,28 +296,6 @@ Foam::velocityPrediction Foam::staggeredFlow::prediction()
     return p;
 }
 
-// The increments of AB2 lie in place of the force, which is zero after the step
-void Foam::staggeredFlow::addIncrements()
-{
-    if (added_) return;
-    added_ = true;
-    block_.rows(
-        [&](const label q, const label n)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                double* u = u_[d].data() + q;
-                double* change = increment()[d].data() + n;
-#pragma GCC ivdep
-                for (label i = 0; i < box_.size.x(); ++i)
-                {
-                    u[i] += change[i];
-                    change[i] = 0;
-                }
-            }
-        });
-}
-
 void Foam::staggeredFlow::diffuse()
 {
     const scalar dt = stages_[stage_].others * stepDt_;
@@ -287,7 +317,10 @@ void Foam::staggeredFlow::diffuse()
     walls_ = wallsAhead_;
 
     const auto timing(effects_.time("momentum"));
-    addIncrements();
+    for (label k = 0; k < box_.size.z() && !addsAtOnce(); ++k)
+    {
+        addIncrements(k);
+    }
     if (holdsMean_) holdMean(heldComponent_, dt);
 }
 

@@ -4,12 +4,9 @@
 
 Foam::haloBlock::haloBlock(const uniformGrid& grid)
     : grid_(grid),
-      box_(grid.box())
+      box_(grid.box()),
+      stride_(strides(box_.size))
 {
-    stride_[0] = 1;
-    stride_[1] = box_.size.x() + 2;
-    stride_[2] = stride_[1] * (box_.size.y() + 2);
-
     const List<cellBox> boxes(grid.allBoxes());
     DynamicList<label> rank, theirs, ours;
     const auto visit = [&](const labelVector& local)
@@ -25,11 +22,8 @@ Foam::haloBlock::haloBlock(const uniformGrid& grid)
         {
             const cellBox& b = boxes[proci];
             if (!b.contains(c)) continue;
-            const labelVector l(c - b.lo);
             rank.append(proci);
-            theirs.append((l.x() + 1) +
-                          (b.size.x() + 2) *
-                              ((l.y() + 1) + (b.size.y() + 2) * (l.z() + 1)));
+            theirs.append(place(strides(b.size), c - b.lo));
             ours.append(place(local));
             break;
         }
