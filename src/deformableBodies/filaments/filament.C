@@ -4,6 +4,8 @@
 #include "filamentNewton.H"
 #include <cmath>
 
+const int Foam::filament::together = vectorLength;
+
 Foam::filament::filament(const properties& all, const point& first,
                          const vector& direction)
     : filament(all,
@@ -107,7 +109,7 @@ Foam::List<bool> Foam::filament::step(const scalar dt,
         {
             line->begin(dt);
         }
-        const auto done = filamentNewton<together>::step(
+        const auto done = filamentNewton<vectorLength>::step(
             dt, lines.cdata(), around.cdata(), lines.size());
         forAll(lines, l)
         {

@@ -377,4 +377,4 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
 }
 
 template class Foam::filamentNewton<1>;
-template class Foam::filamentNewton<Foam::filament::together>;
+template class Foam::filamentNewton<Foam::vectorLength>;
