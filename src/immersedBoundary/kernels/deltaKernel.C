@@ -30,7 +30,7 @@ void Foam::deltaKernel::weights(const label n, const scalar* position,
     {
         first = (x + 0.5).floor() - 1;
         w3 = x - first - 1; // from the middle point
-        w1 = (1 + (1 - 3 * w3.square()).sqrt()) / 3;
+        w1 = (1 + (1 - 3 * w3.square()).sqrt()) * (1.0 / 3);
         w0 = 0.5 * (1 - w1 - w3);
         w2 = 0.5 * (1 - w1 + w3);
         w3 = 0;
