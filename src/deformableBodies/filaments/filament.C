@@ -109,11 +109,12 @@ Foam::List<bool> Foam::filament::step(const scalar dt,
         {
             line->begin(dt);
         }
-        const auto done = filamentNewton<vectorLength>::step(
-            dt, lines.cdata(), around.cdata(), lines.size());
-        forAll(lines, l)
+        for (label first = 0; first < lines.size(); first += together)
         {
-            advanced[l] = done[l];
+            const label n = min(together, lines.size() - first);
+            const auto done = filamentNewton<vectorLength>::step(
+                dt, &lines[first], &around[first], n);
+            std::copy_n(done.begin(), n, &advanced[first]);
         }
     }
     forAll(lines, l)

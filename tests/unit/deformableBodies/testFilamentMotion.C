@@ -107,7 +107,7 @@ TEST(Filament, halvesItsSteps)
     test::expectBelow("length of the segments", length, 1e-10);
 }
 
-// Five at once, in lanes of which three stay empty: each as if it were alone, one
+// Five at once, in lanes of which some stay empty: each as if it were alone, one
 // hangs still (converges at once), one halves its steps while the others go on
 TEST(Filament, togetherAsOneByOne)
 {

@@ -152,7 +152,7 @@ TEST(FilamentOrders, schemes)
             {
                 const schemeRun r(runScheme(s, filament::schemeType(k), dt));
                 scalar error = 0;
-                forAll(r.tip, i)
+                for (std::size_t i = 0; i < r.tip.size(); ++i)
                 {
                     error = max(error, mag(r.tip[i] - right.tip[i]) / s.scale);
                 }
