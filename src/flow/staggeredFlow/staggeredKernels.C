@@ -47,7 +47,8 @@ struct momentumRow
 
     //- All nine fluxes have one form: the component that carries, averaged along D,
     //  times component D averaged along the direction of the carrying one. The sums of
-    //  two neighbours that this needs serve explicit diffusion as well
+    //  two neighbours that this needs serve explicit diffusion as well, in which
+    //  x+ - 2 x + x- is (x + x-) + (x + x+) - 4 x
     template<bool WithDiffusion>
     double convection(const int D, const label i) const
     {
