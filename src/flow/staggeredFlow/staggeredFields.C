@@ -211,13 +211,7 @@ void Foam::staggeredFlow::takeOver()
                     }
                 });
         }
-        for (direction d = 0; d < 3; ++d)
-        {
-            if (!block_.wallBelow(d)) continue;
-            block_.layer(d, 0,
-                         [&](const labelVector& l)
-                         { u_[d][block_.place(l)] = 0; });
-        }
+        stopOnWalls();
         updateVelocity();
     }
     force_.clear();

@@ -126,6 +126,17 @@ void Foam::staggeredFlow::hold(const direction component, const scalar mean,
     }
 }
 
+// On walls above it is in the halo, which updateVelocity() fills
+void Foam::staggeredFlow::stopOnWalls()
+{
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (!block_.wallBelow(d)) continue;
+        block_.layer(d, 0,
+                     [&](const labelVector& l) { u_[d][block_.place(l)] = 0; });
+    }
+}
+
 // Halo, then the points beyond walls: tangential components mirrored about the
 // wall's velocity, normal ones zero on the wall
 void Foam::staggeredFlow::updateVelocity()

@@ -165,12 +165,11 @@ void Foam::staggeredFlow::makeIncrements(const scalar dt, const stage& s,
     // The velocity on a wall stays
     for (direction d = 0; d < 3; ++d)
     {
-        if (!block_.wallBelow(d)) continue;
-        box_.layer(d, 0,
-                   [&](const label i) { increment()[d][i] = last_[d][i] = 0; });
-        block_.layer(d, 0,
-                     [&](const labelVector& l) { u_[d][block_.place(l)] = 0; });
+        const auto stay = [&](const label i)
+        { increment()[d][i] = last_[d][i] = 0; };
+        if (block_.wallBelow(d)) box_.layer(d, 0, stay);
     }
+    if (addsAtOnce()) stopOnWalls();
 }
 
 // The increments of AB2 lie in place of the force, which is zero after the step
@@ -318,9 +317,12 @@ void Foam::staggeredFlow::diffuse()
     walls_ = wallsAhead_;
 
     const auto timing(effects_.time("momentum"));
-    for (label k = 0; k < box_.size.z() && !addsAtOnce(); ++k)
+    if (!addsAtOnce())
     {
-        addIncrements(k);
+        for (label k = 0; k < box_.size.z(); ++k)
+        {
+            addIncrements(k);
+        }
     }
     if (holdsMean_) holdMean(heldComponent_, dt);
 }
