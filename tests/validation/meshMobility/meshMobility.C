@@ -79,12 +79,15 @@ struct regularised
 void solve(staggeredField& f, const label n)
 {
     const label size = n * n * n;
+    const auto inTransform = [n](const labelVector& c)
+    { return c.x() + n * (c.y() + n * c.z()); };
     std::array<complexField, 3> F;
     for (direction d = 0; d < 3; ++d)
     {
         F[d].resize(size);
         fftw_complex* data = reinterpret_cast<fftw_complex*>(F[d].data());
-        std::copy(f[d].begin(), f[d].end(), F[d].begin());
+        f.box().cells([&](const label i, const labelVector& c)
+                      { F[d][inTransform(c)] = f[d][i]; });
         fftw_plan plan =
             fftw_plan_dft_3d(n, n, n, data, data, FFTW_FORWARD, FFTW_ESTIMATE);
         fftw_execute(plan);
@@ -116,10 +119,8 @@ void solve(staggeredField& f, const label n)
             fftw_plan_dft_3d(n, n, n, data, data, FFTW_BACKWARD, FFTW_ESTIMATE);
         fftw_execute(plan);
         fftw_destroy_plan(plan);
-        forAll(f[d], q)
-        {
-            f[d][q] = F[d][q].real();
-        }
+        f.box().cells([&](const label i, const labelVector& c)
+                      { f[d][i] = F[d][inTransform(c)].real(); });
     }
 }
 } // namespace
