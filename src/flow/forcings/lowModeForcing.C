@@ -68,7 +68,7 @@ void Foam::fv::lowModeForcing::setModes(const std::vector<mode>& modes,
 }
 
 void Foam::fv::lowModeForcing::add(const direction d, const vector& offset,
-                                   scalarField& f) const
+                                   UList<scalar> f) const
 {
     const cellBox& box = grid_.box();
     const vector k1(waveVector(labelVector::one));

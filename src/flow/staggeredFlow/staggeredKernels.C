@@ -255,8 +255,8 @@ void Foam::staggeredFlow::predict()
             wallsAhead_[d][side] = (1 - passed) * wallsBefore_[d][side] +
                                    passed * wallsAfter_[d][side];
         }
-        if (RK3_) (*increment_)[d] = force_[d];
     }
+    if (RK3_) *increment_ = force_;
     updateVelocity();
 
     choose([&](auto... choices) { makeIncrements(stepDt_, s, choices...); },
