@@ -3,7 +3,10 @@
 // How many lines of markers lie in one place
 
 #include "markerSet.H"
+#include "alignedVector.H"
 #include "segmentDistance.H"
+#include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -56,7 +59,7 @@ struct binsOfDirection
     scalar distance(const scalar a, const scalar b) const
     {
         const scalar x = std::abs(a - b);
-        return periodic ? min(x, n - x) : x;
+        return std::min(x, (periodic ? n : GREAT) - x);
     }
 
 private:
@@ -66,47 +69,119 @@ private:
     }
 };
 
-//- Markers in bins
+//- What is looked at of a marker: its place, its line (left out where negative), its
+//  number along it, whether distant parts of the line may meet, and the next in its bin
+struct markerOfLine
+{
+    scalar at[3];
+    label line, number, next;
+    bool folded;
+
+    //- Neighbours within one line: in one that is folded those further apart
+    //  meet by chance
+    bool isBeside(const markerOfLine& other) const
+    {
+        const label apart = 4;
+        return line == other.line &&
+               (!folded || std::abs(number - other.number) <= apart);
+    }
+};
+
+//- The markers of lines in bins
 class markerBins
 {
-public:
-    //- What is looked at of a marker, in one place of memory
-    struct entry
-    {
-        scalar at[3];
-        label line, number, next;
-        bool folded; //!< may distant parts of its line meet?
+    const binsOfDirection bins_[3];
+    std::vector<markerOfLine> all_;
 
-        //- Neighbours within one line: in one that is folded those further apart
-        //  meet by chance
-        bool isBeside(const entry& other) const
-        {
-            const label apart = 4;
-            return line == other.line &&
-                   (!folded || std::abs(number - other.number) <= apart);
-        }
-    };
-
-private:
-    //- The markers of a bin: the first, and their line if they have one in common,
-    //  else -1
+    //- Of each bin the first marker, and the line that its markers have in common, else -1
     struct binContent
     {
         label first = -1, line = -1;
     };
-
-    const binsOfDirection bins_[3];
-    std::vector<entry> all_;
     std::vector<binContent> contents_;
+
+    //- What is around a marker is so for others of its line as well, whose surroundings
+    //  reach into the same bins: this line and these bins; how many markers they hold,
+    //  their numbers and places. Left out: bins with nothing but the line itself, not
+    //  folded
+    label line_ = -1, near_[3][2] = {}, nAround_ = 0;
+    std::vector<label> around_;
+    alignedVector<scalar> at_[3];
+
+    //- Work space: the share of each, and which have one
+    alignedVector<scalar> share_;
+    std::vector<label> seen_;
 
     label binOf(const label i, const label j, const label k) const
     {
         return i + bins_[0].nBins * (j + bins_[1].nBins * k);
     }
 
+    void lookAround(const markerOfLine& m)
+    {
+        bool same = m.line == line_;
+        line_ = m.line;
+        for (direction d = 0; d < 3; ++d)
+        {
+            for (int side = 0; side < 2; ++side)
+            {
+                const label b = bins_[d].bin(
+                    m.at[d] + (2 * side - 1) * markerSet::lineReach);
+                same = same && near_[d][side] == b;
+                near_[d][side] = b;
+            }
+        }
+        if (same) return;
+
+        // Which bins matter is hard to foresee: no branches
+        label bins[8], nBins = 0;
+        const auto twice = [&](const direction d)
+        { return near_[d][0] == near_[d][1] ? 1 : 2; };
+        for (int k = 0; k < twice(2); ++k)
+        {
+            for (int j = 0; j < twice(1); ++j)
+            {
+                for (int i = 0; i < twice(0); ++i)
+                {
+                    const label b =
+                        binOf(near_[0][i], near_[1][j], near_[2][k]);
+                    const binContent& c = contents_[b];
+                    bins[nBins] = b;
+                    nBins += (c.first >= 0) & ((c.line != m.line) | m.folded);
+                }
+            }
+        }
+        nAround_ = 0;
+        for (label b = 0; b < nBins; ++b)
+        {
+            for (label k = contents_[bins[b]].first; k >= 0; k = all_[k].next)
+            {
+                reserve(nAround_ + 1);
+                around_[nAround_] = k;
+                for (direction d = 0; d < 3; ++d)
+                {
+                    at_[d][nAround_] = all_[k].at[d];
+                }
+                ++nAround_;
+            }
+        }
+    }
+
+    //- Room for n markers around, in whole vectors
+    void reserve(const label n)
+    {
+        if (n <= label(around_.size())) return;
+        const label all = (2 * n + 7) / 8 * 8;
+        around_.resize(all);
+        seen_.resize(all);
+        for (auto* values : {&at_[0], &at_[1], &at_[2], &share_})
+        {
+            values->resize(all, 0);
+        }
+    }
+
 public:
-    //- ids of each marker: its line, left out where negative, its number and whether
-    //  the line is folded
+    //- ids of each marker: its line, its number and whether the line is folded
     markerBins(const uniformGrid& grid, const UList<vector>& X,
                const scalarField& ids)
         : bins_{{grid, 0}, {grid, 1}, {grid, 2}},
@@ -115,66 +190,67 @@ public:
     {
         forAll(X, k)
         {
-            entry& e = all_[k];
-            e.line = label(ids[3 * k]);
-            e.number = label(ids[3 * k + 1]);
-            e.folded = ids[3 * k + 2];
-            if (e.line < 0) continue;
+            markerOfLine& m = all_[k];
+            m.line = label(ids[3 * k]);
+            m.number = label(ids[3 * k + 1]);
+            m.folded = ids[3 * k + 2];
+            if (m.line < 0) continue;
             for (direction d = 0; d < 3; ++d)
             {
-                e.at[d] = bins_[d].place(X[k][d]);
+                m.at[d] = bins_[d].place(X[k][d]);
             }
             binContent& c =
-                contents_[binOf(bins_[0].bin(e.at[0]), bins_[1].bin(e.at[1]),
-                                bins_[2].bin(e.at[2]))];
-            c.line = c.first < 0 || c.line == e.line ? e.line : -1;
-            e.next = c.first;
+                contents_[binOf(bins_[0].bin(m.at[0]), bins_[1].bin(m.at[1]),
+                                bins_[2].bin(m.at[2]))];
+            c.line = c.first < 0 || c.line == m.line ? m.line : -1;
+            m.next = c.first;
             c.first = k;
         }
     }
 
-    const entry& operator[](const label k) const { return all_[k]; }
+    const markerOfLine& operator[](const label k) const { return all_[k]; }
 
-    //- Cells between two markers in a direction, to the nearest image
-    scalar distance(const entry& a, const entry& b, const direction d) const
+    //- Cells between two markers, to the nearest image
+    scalar distance(const markerOfLine& a, const markerOfLine& b) const
     {
-        return bins_[d].distance(a.at[d], b.at[d]);
-    }
-
-    //- visit(other) of all in the bins within lineReach of a marker, but for bins
-    //  where there is only its own line, which is not folded
-    template<class Visit>
-    void eachNear(const entry& e, Visit visit) const
-    {
-        label bin[3][2];
-        int nBins[3];
+        scalar squares = 0;
         for (direction d = 0; d < 3; ++d)
         {
-            bin[d][0] = bins_[d].bin(e.at[d] - markerSet::lineReach);
-            bin[d][1] = bins_[d].bin(e.at[d] + markerSet::lineReach);
-            nBins[d] = bin[d][0] == bin[d][1] ? 1 : 2;
+            squares += sqr(bins_[d].distance(a.at[d], b.at[d]));
         }
-        // Which of them matter is hard to foresee: no branches
-        label near[8];
-        int count = 0;
-        for (int l = 0; l < nBins[2]; ++l)
+        return std::sqrt(squares);
+    }
+
+    //- visit(other, share) of the markers less than lineReach away along each direction;
+    //  perhaps without those of its own line, where that is not folded. The kernel sees
+    //  another marker the less the further it is away along each direction; a straight
+    //  line down to zero stands for that. Quick where the last one asked about is beside
+    //  this one
+    template<class Visit>
+    void eachNear(const markerOfLine& m, Visit visit)
+    {
+        lookAround(m);
+        const label inVectors = (nAround_ + 7) / 8 * 8;
+        scalar* __restrict__ share = share_.data();
+        for (label i = 0; i < inVectors; ++i)
         {
-            for (int j = 0; j < nBins[1]; ++j)
+            const auto along = [&](const direction d)
             {
-                for (int i = 0; i < nBins[0]; ++i)
-                {
-                    near[count] = binOf(bin[0][i], bin[1][j], bin[2][l]);
-                    const binContent& c = contents_[near[count]];
-                    count += (c.first >= 0) & ((c.line != e.line) | e.folded);
-                }
-            }
+                const scalar away = bins_[d].distance(m.at[d], at_[d][i]);
+                return std::max(scalar(0),
+                                1 - away * (1 / markerSet::lineReach));
+            };
+            share[i] = along(0) * along(1) * along(2);
         }
-        for (int b = 0; b < count; ++b)
+        label nSeen = 0;
+        for (label i = 0; i < nAround_; ++i)
         {
-            for (label m = contents_[near[b]].first; m >= 0; m = all_[m].next)
-            {
-                visit(all_[m]);
-            }
+            seen_[nSeen] = i; // no branch, see lookAround()
+            nSeen += share[i] > 0;
+        }
+        for (label k = 0; k < nSeen; ++k)
+        {
+            visit(all_[around_[seen_[k]]], share[seen_[k]]);
         }
     }
 };
@@ -220,65 +296,50 @@ void Foam::markerSet::closeLines(const UList<vector>& X, const labelUList& line,
                                  const visitor& visit) const
 {
     const UList<vector>& here = copies_.here();
-    const markerBins bins(grid_, here, linesHere(X, line, false));
+    markerBins bins(grid_, here, linesHere(X, line, false));
     forAll(here, k)
     {
-        const markerBins::entry& e = bins[k];
-        if (e.line < 0 || !copies_.holds(k)) continue;
-        bins.eachNear(e,
-                      [&](const markerBins::entry& other)
+        const markerOfLine& m = bins[k];
+        if (m.line < 0 || !copies_.holds(k)) continue;
+        bins.eachNear(m,
+                      [&](const markerOfLine& other, scalar)
                       {
-                          if (other.line == e.line) return;
-                          scalar squares = 0;
-                          for (direction d = 0; d < 3; ++d)
+                          const scalar distance = bins.distance(m, other);
+                          if (other.line != m.line && distance < lineReach)
                           {
-                              squares += sqr(bins.distance(e, other, d));
-                          }
-                          if (squares < sqr(lineReach))
-                          {
-                              visit(e.line, other.line, here[k],
-                                    std::sqrt(squares));
+                              visit(m.line, other.line, here[k], distance);
                           }
                       });
     }
 }
 
-// The kernel sees another marker the less the further it is away along each
-// direction; here a straight line down to zero stands for that
 void Foam::markerSet::lineDensity(const UList<vector>& X,
                                   const labelUList& line, const bool mayFold,
                                   scalarField& density) const
 {
     const UList<vector>& here = copies_.here();
-    const markerBins bins(grid_, here, linesHere(X, line, mayFold));
+    markerBins bins(grid_, here, linesHere(X, line, mayFold));
 
     scalarField others(here.size(), Zero);
     std::vector<std::pair<label, scalar>> touched; // line, largest share
     forAll(here, k)
     {
         // A marker's surroundings are known to the rank that holds its cell
-        const markerBins::entry& e = bins[k];
-        if (e.line < 0 || !copies_.holds(k)) continue;
+        const markerOfLine& m = bins[k];
+        if (m.line < 0 || !copies_.holds(k)) continue;
         touched.clear();
-        const auto touch = [&](const markerBins::entry& other)
-        {
-            if (e.isBeside(other)) return;
-            scalar share = 1;
-            for (direction d = 0; d < 3; ++d)
-            {
-                const scalar away = bins.distance(e, other, d);
-                share *= max(scalar(0), 1 - away * (1 / lineReach));
-            }
-            if (share == 0) return;
-            for (auto& t : touched)
-            {
-                if (t.first != other.line) continue;
-                t.second = max(t.second, share);
-                return;
-            }
-            touched.push_back({other.line, share});
-        };
-        bins.eachNear(e, touch);
+        bins.eachNear(m,
+                      [&](const markerOfLine& other, const scalar share)
+                      {
+                          if (m.isBeside(other)) return;
+                          for (auto& t : touched)
+                          {
+                              if (t.first != other.line) continue;
+                              t.second = max(t.second, share);
+                              return;
+                          }
+                          touched.push_back({other.line, share});
+                      });
         for (const auto& t : touched)
         {
             others[k] += t.second;
