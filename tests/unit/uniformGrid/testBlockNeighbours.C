@@ -88,14 +88,18 @@ TEST(BlockNeighbours, findsWhoHasCellsNearAPoint)
         }
         EXPECT_EQ(found, expected);
         if (alone.contains(x))
+        {
             EXPECT_EQ(found, labelList(1, Pstream::myProcNo()));
+        }
     }
     const vector middle(
         grid().origin() +
         cmptMultiply(grid().h(), vector(grid().box().lo) +
                                      0.5 * vector(grid().box().size)));
     if (cmptMin(grid().box().size) > 2 * margin)
+    {
         EXPECT_TRUE(alone.contains(middle));
+    }
 }
 
 TEST(BlockNeighbours, messagesArrive)
