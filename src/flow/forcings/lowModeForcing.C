@@ -68,7 +68,7 @@ void Foam::fv::lowModeForcing::setModes(const std::vector<mode>& modes,
 }
 
 void Foam::fv::lowModeForcing::add(const direction d, const vector& offset,
-                                   UList<scalar> f) const
+                                   scalar* f) const
 {
     const cellBox& box = grid_.box();
     const vector k1(waveVector(labelVector::one));
@@ -117,7 +117,7 @@ void Foam::fv::lowModeForcing::add(const direction d, const vector& offset,
                 }
             }
             double* __restrict__ out =
-                f.data() + j * box.stride(1) + k * box.stride(2);
+                f + j * box.stride(1) + k * box.stride(2);
             for (label m = 0; m < mx; ++m)
             {
                 const double a = row[m].real(), b = row[m].imag();
@@ -139,7 +139,7 @@ void Foam::fv::lowModeForcing::addTo(staggeredField& f)
     {
         vector offset(0.5, 0.5, 0.5);
         offset[d] = 0;
-        add(d, offset, f[d]);
+        add(d, offset, f[d].data());
     }
 }
 
@@ -150,7 +150,7 @@ void Foam::fv::lowModeForcing::addSup(fvMatrix<vector>& eqn, const label)
     vectorField& source = eqn.source();
     for (direction d = 0; d < 3; ++d)
     {
-        add(d, vector(0.5, 0.5, 0.5), f[d]);
+        add(d, vector(0.5, 0.5, 0.5), f[d].data());
         forAll(source, celli)
         {
             source[celli][d] -= grid_.cellVolume() * f[d][grid_.index()[celli]];

@@ -53,11 +53,8 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
         }
         poisson_.reset(new fastHelmholtz(grid_, sides, grid_.cells(), places));
     }
-    for (direction d = 0; d < 3; ++d)
-    {
-        u_[d].assign(block_.size(), 0);
-        last_[d].assign(box_.nPlaces(), 0);
-    }
+    u_ = componentArrays(block_.size());
+    last_ = componentArrays(box_.nPlaces());
     pressure_.assign(block_.size(), 0);
     correction_.assign(block_.size(), 0);
     if (RK3_) increment_.reset(new staggeredField(box_));
@@ -178,7 +175,7 @@ Foam::staggeredView Foam::staggeredFlow::velocity() const
     v.layer = block_.stride(2);
     for (direction d = 0; d < 3; ++d)
     {
-        v.first[d] = u_[d].data() + block_.place(0, 0, 0);
+        v.first[d] = u_[d].cdata() + block_.place(0, 0, 0);
     }
     return v;
 }
@@ -190,7 +187,7 @@ void Foam::staggeredFlow::velocity(staggeredField& u) const
         {
             for (direction d = 0; d < 3; ++d)
             {
-                std::copy_n(u_[d].data() + q, box_.size.x(), u[d].data() + n);
+                std::copy_n(u_[d].cdata() + q, box_.size.x(), u[d].data() + n);
             }
         });
 }
@@ -357,9 +354,9 @@ void Foam::staggeredFlow::takeRates(const label q) const
 {
     const double r0 = 1 / grid_.h().x(), r1 = 1 / grid_.h().y(),
                  r2 = 1 / grid_.h().z();
-    const double* a = u_[0].data() + q;
-    const double* b = u_[1].data() + q;
-    const double* c = u_[2].data() + q;
+    const double* a = u_[0].cdata() + q;
+    const double* b = u_[1].cdata() + q;
+    const double* c = u_[2].cdata() + q;
     double* largest = rates_.data();
 #pragma GCC ivdep
     for (label i = 0; i < box_.size.x(); ++i)

@@ -52,10 +52,10 @@ struct binsOfDirection
         if (!whole) return clamped(label((place + 3) * scale));
         const label b = place < 0 ? -1 : label(place * scale);
         if (!periodic) return clamped(b);
-        return b < 0 ? nBins - 1 : b >= nBins ? b - nBins : b;
+        return b < 0 ? nBins - 1 : b % nBins;
     }
 
-    //- Shortest of all images
+    //- Between two places, to the nearest image. No branch: loops over it become vectors
     scalar distance(const scalar a, const scalar b) const
     {
         const scalar x = std::abs(a - b);
@@ -69,8 +69,9 @@ private:
     }
 };
 
-//- What is looked at of a marker: its place, its line (left out where negative), its
-//  number along it, whether distant parts of the line may meet, and the next in its bin
+//- What is looked at of a marker: its place in cells (binsOfDirection::place), its line
+//  (negative: in no bin, counts for nobody), its number along it, whether distant parts
+//  of the line may meet, and the next marker in its bin (negative: none)
 struct markerOfLine
 {
     scalar at[3];
@@ -100,15 +101,16 @@ class markerBins
     };
     std::vector<binContent> contents_;
 
-    //- What is around a marker is so for others of its line as well, whose surroundings
-    //  reach into the same bins: this line and these bins; how many markers they hold,
-    //  their numbers and places. Left out: bins with nothing but the line itself, not
-    //  folded
-    label line_ = -1, near_[3][2] = {}, nAround_ = 0;
+    //- The markers around the one last asked about. They are the same for the next of its
+    //  line that reaches into the same bins, as all markers of a line are folded or none.
+    //  First what they belong to: the line, and the bins below and above in each
+    //  direction; then their numbers and places. Bins that hold nothing but this line are
+    //  left out unless it is folded
+    label line_ = -1, near_[3][2] = {};
     std::vector<label> around_;
     alignedVector<scalar> at_[3];
 
-    //- Work space: the share of each, and which have one
+    //- Of each of them its share, in whole vectors; which have one
     alignedVector<scalar> share_;
     std::vector<label> seen_;
 
@@ -134,49 +136,41 @@ class markerBins
         if (same) return;
 
         // Which bins matter is hard to foresee: no branches
-        label bins[8], nBins = 0;
-        const auto twice = [&](const direction d)
+        label chosen[8], nChosen = 0;
+        const auto nAlong = [&](const direction d)
         { return near_[d][0] == near_[d][1] ? 1 : 2; };
-        for (int k = 0; k < twice(2); ++k)
+        for (int k = 0; k < nAlong(2); ++k)
         {
-            for (int j = 0; j < twice(1); ++j)
+            for (int j = 0; j < nAlong(1); ++j)
             {
-                for (int i = 0; i < twice(0); ++i)
+                for (int i = 0; i < nAlong(0); ++i)
                 {
                     const label b =
                         binOf(near_[0][i], near_[1][j], near_[2][k]);
                     const binContent& c = contents_[b];
-                    bins[nBins] = b;
-                    nBins += (c.first >= 0) & ((c.line != m.line) | m.folded);
+                    chosen[nChosen] = b;
+                    nChosen += (c.first >= 0) & ((c.line != m.line) | m.folded);
                 }
             }
         }
-        nAround_ = 0;
-        for (label b = 0; b < nBins; ++b)
+        around_.clear();
+        for (label b = 0; b < nChosen; ++b)
         {
-            for (label k = contents_[bins[b]].first; k >= 0; k = all_[k].next)
+            for (label k = contents_[chosen[b]].first; k >= 0; k = all_[k].next)
             {
-                reserve(nAround_ + 1);
-                around_[nAround_] = k;
-                for (direction d = 0; d < 3; ++d)
-                {
-                    at_[d][nAround_] = all_[k].at[d];
-                }
-                ++nAround_;
+                around_.push_back(k);
             }
         }
-    }
-
-    //- Room for n markers around, in whole vectors
-    void reserve(const label n)
-    {
-        if (n <= label(around_.size())) return;
-        const label all = (2 * n + 7) / 8 * 8;
-        around_.resize(all);
-        seen_.resize(all);
-        for (auto* values : {&at_[0], &at_[1], &at_[2], &share_})
+        share_.resize((around_.size() + 7) / 8 * 8);
+        if (around_.empty()) return;
+        seen_.resize(around_.size());
+        for (direction d = 0; d < 3; ++d)
         {
-            values->resize(all, 0);
+            at_[d].resize(share_.size());
+            for (size_t i = 0; i < around_.size(); ++i)
+            {
+                at_[d][i] = all_[around_[i]].at[d];
+            }
         }
     }
 
@@ -221,18 +215,17 @@ public:
         return std::sqrt(squares);
     }
 
-    //- visit(other, share) of the markers less than lineReach away along each direction;
-    //  perhaps without those of its own line, where that is not folded. The kernel sees
-    //  another marker the less the further it is away along each direction; a straight
-    //  line down to zero stands for that. Quick where the last one asked about is beside
-    //  this one
+    //- visit(other, share) of the markers less than lineReach away along each direction
+    //  from m, a marker of a line. Those of its own line, m itself among them, may be left
+    //  out unless it is folded. share: what the kernel sees of the other, for which the
+    //  product of straight lines down to zero stands. Quick where the last m was near this
+    //  one on the same line
     template<class Visit>
     void eachNear(const markerOfLine& m, Visit visit)
     {
         lookAround(m);
-        const label inVectors = (nAround_ + 7) / 8 * 8;
         scalar* __restrict__ share = share_.data();
-        for (label i = 0; i < inVectors; ++i)
+        for (size_t i = 0; i < share_.size(); ++i)
         {
             const auto along = [&](const direction d)
             {
@@ -243,7 +236,7 @@ public:
             share[i] = along(0) * along(1) * along(2);
         }
         label nSeen = 0;
-        for (label i = 0; i < nAround_; ++i)
+        for (size_t i = 0; i < around_.size(); ++i)
         {
             seen_[nSeen] = i; // no branch, see lookAround()
             nSeen += share[i] > 0;
@@ -304,8 +297,9 @@ void Foam::markerSet::closeLines(const UList<vector>& X, const labelUList& line,
         bins.eachNear(m,
                       [&](const markerOfLine& other, scalar)
                       {
+                          if (other.line == m.line) return;
                           const scalar distance = bins.distance(m, other);
-                          if (other.line != m.line && distance < lineReach)
+                          if (distance < lineReach)
                           {
                               visit(m.line, other.line, here[k], distance);
                           }

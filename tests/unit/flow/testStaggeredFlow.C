@@ -4,6 +4,7 @@
 // conserved, what must stay stable. Orders: tests/verification/studies
 
 #include "testFlow.H"
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <new>
@@ -16,6 +17,14 @@ void* operator new(const std::size_t n)
     ++allocations;
     if (void* p = std::malloc(n)) return p;
     throw std::bad_alloc();
+}
+// of which alignedVector takes its memory from this
+extern "C" int posix_memalign(void** memory, const std::size_t alignment,
+                              const std::size_t n) noexcept
+{
+    ++allocations;
+    *memory = aligned_alloc(alignment, n);
+    return *memory ? 0 : ENOMEM;
 }
 void operator delete(void* p) noexcept
 {

@@ -3,6 +3,8 @@
 #include "unitTest.H"
 #include "dictionary.H"
 #include "markerSet.H"
+#include "segmentDistance.H"
+#include <map>
 
 using namespace Foam;
 
@@ -287,6 +289,114 @@ TEST_P(MarkerSet, countsALineOnceUnlessItIsFolded)
         else
             EXPECT_NEAR(max(density), 1, 1e-12);
     }
+}
+
+// Many lines in a small part of the box, straight or hairpins, some across periodic sides,
+// some that count for nobody: against all pairs of markers of all ranks
+TEST_P(MarkerSet, countsLinesAsAllPairsDo)
+{
+    const label nLines = 14, each = 10;
+    const uniformGrid& g = grid();
+    const scalar reach = markerSet::lineReach;
+    Random random(11 + Pstream::myProcNo());
+    vectorField X(nLines * each);
+    labelList line(X.size());
+    scalarField folded(X.size());
+    for (label i = 0; i < nLines; ++i)
+    {
+        const vector part(1.4 * random.sample01<vector>() - 0.7 * vector::one);
+        const vector start(cmptMultiply(min(7 * vector::one, vector(g.n())),
+                                        random.sample01<vector>()) -
+                           vector(g.periodic(0), g.periodic(1), g.periodic(2)));
+        const bool hairpin = i % 3 == 0;
+        for (label j = 0; j < each; ++j)
+        {
+            const label k = i * each + j;
+            vector x(start + scalar(hairpin ? min(j, each - 1 - j) : j) * part);
+            for (direction d = 0; d < 3; ++d)
+            {
+                if (g.periodic(d)) continue;
+                x[d] = min(max(x[d], scalar(0)), scalar(g.n()[d]));
+            }
+            X[k] = g.origin() + cmptMultiply(x, g.h());
+            line[k] = i % 5 == 4 ? -1 : i + nLines * Pstream::myProcNo();
+        }
+        const vector chord(
+            cmptDivide(X[(i + 1) * each - 1] - X[i * each], g.h()));
+        bool wraps = false;
+        for (direction d = 0; d < 3; ++d)
+        {
+            wraps = wraps ||
+                    (g.periodic(d) && mag(chord[d]) > g.n()[d] - 2 * reach);
+        }
+        // Walls may have bent it
+        const SubList<vector> part10(X, each, i * each);
+        SubList<scalar>(folded, each, i * each) =
+            scalar(wraps || Foam::folded(part10));
+    }
+
+    List<vectorField> places(Pstream::nProcs());
+    List<labelList> lines(Pstream::nProcs());
+    places[Pstream::myProcNo()] = X;
+    lines[Pstream::myProcNo()] = line;
+    Pstream::gatherList(places);
+    Pstream::scatterList(places);
+    Pstream::gatherList(lines);
+    Pstream::scatterList(lines);
+    scalarField expected(X.size(), 1);
+    scalar nClose = 0, sumOfDistances = 0;
+    forAll(X, k)
+    {
+        std::map<label, scalar> largest;
+        forAll(places, proci)
+        {
+            forAll(places[proci], m)
+            {
+                const label other = lines[proci][m];
+                vector away(cmptDivide(places[proci][m] - X[k], g.h()));
+                scalar share = 1;
+                for (direction d = 0; d < 3; ++d)
+                {
+                    if (g.periodic(d))
+                    {
+                        away[d] -= g.n()[d] * std::round(away[d] / g.n()[d]);
+                    }
+                    share *= max(scalar(0), 1 - mag(away[d]) / reach);
+                }
+                if (line[k] < 0 || other < 0) continue;
+                if (other != line[k] && mag(away) < reach)
+                {
+                    nClose += 1;
+                    sumOfDistances += mag(away);
+                }
+                if (other == line[k] && (!folded[k] || mag(m - k) <= 4))
+                {
+                    continue;
+                }
+                largest[other] = max(largest[other], share);
+            }
+        }
+        for (const auto& l : largest)
+        {
+            expected[k] += l.second;
+        }
+    }
+
+    markers.place(X);
+    scalarField density;
+    markers.lineDensity(X, line, true, density);
+    test::expectBelow("lines at markers, against all pairs",
+                      gMax(mag(density - expected)), 1e-11);
+    EXPECT_GT(gMax(density), 2);
+    markers.closeLines(X, line,
+                       [&](label, label, const point&, const scalar distance)
+                       {
+                           nClose -= 1;
+                           sumOfDistances -= distance;
+                       });
+    EXPECT_EQ(returnReduce(nClose, sumOp<scalar>()), 0);
+    test::expectBelow("distances of close lines, sum against all pairs",
+                      mag(returnReduce(sumOfDistances, sumOp<scalar>())), 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(kernels, MarkerSet,
