@@ -18,7 +18,7 @@ void* operator new(const std::size_t n)
     if (void* p = std::malloc(n)) return p;
     throw std::bad_alloc();
 }
-// of which alignedVector takes its memory from this
+// alignedVector takes its memory from this one
 extern "C" int posix_memalign(void** memory, const std::size_t alignment,
                               const std::size_t n) noexcept
 {

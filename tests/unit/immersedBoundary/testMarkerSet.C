@@ -329,10 +329,10 @@ TEST_P(MarkerSet, countsLinesAsAllPairsDo)
             wraps = wraps ||
                     (g.periodic(d) && mag(chord[d]) > g.n()[d] - 2 * reach);
         }
-        // Walls may have bent it
-        const SubList<vector> part10(X, each, i * each);
+        // Walls may have bent a straight one
+        const SubList<vector> nodes(X, each, i * each);
         SubList<scalar>(folded, each, i * each) =
-            scalar(wraps || Foam::folded(part10));
+            scalar(wraps || Foam::folded(nodes));
     }
 
     List<vectorField> places(Pstream::nProcs());
