@@ -313,11 +313,13 @@ void Foam::filamentGroup::readCouplingEntries(const dictionary& dict)
     if (on)
     {
         const scalar r = L / thickness_, re = 1.24 * r / std::sqrt(std::log(r));
-        couple_.reset(new thicknessCouple(
-            properties_.segments, properties_.ds(),
-            twoWay() ? thicknessCouple::resolved(scene_.kernel, scene_.mu, h_)
-                     : drag_ * sqr(L / re) / 12,
-            inset, 1.5 * h_));
+        const label N = properties_.segments;
+        const scalar ds = properties_.ds();
+        couple_.reset(twoWay()
+                          ? new thicknessCouple(N, ds, inset, scene_.kernel,
+                                                scene_.mu, h_)
+                          : new thicknessCouple(N, ds, inset,
+                                                drag_ * sqr(L / re) / 12, h_));
     }
     scene_.effects.declare("thicknessCouple", on,
                            Foam::name(L / thickness_) + " diameters of " +

@@ -162,7 +162,7 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
             // half of its last change damps what this delay excites. The force
             // of the last step stays on
             if (!s.predicted) around.U[k] += 0.5 * change;
-            around.U[k] -= x.forces[k] / around.drag[k];
+            around.U[k] -= (1 / around.drag[k]) * x.forces[k];
         }
         else
         {
@@ -175,7 +175,11 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
             around.force[i + 1] += at / properties_.lengthOf(i + 1) * inertia;
         }
     }
-    if (couple_) couple_->shear(x.frames, U + n, around.shear);
+    if (couple_)
+    {
+        couple_->shear(x.frames, around.couple, U + n, x.forces.cdata() + n,
+                       around.shear);
+    }
 }
 
 // The forces on the fluid that moved with it

@@ -7,13 +7,13 @@
 #include <cmath>
 
 Foam::thicknessCouple::thicknessCouple(const label segments, const scalar ds,
-                                       const scalar K, const scalar inset,
-                                       const scalar radius)
+                                       const scalar inset, const scalar K,
+                                       const scalar h)
     : segments_(segments),
-      stations_(min(segments,
-                    max(label(1), label(segments * ds / radius / 3 + 0.5)))),
+      stations_(
+          min(segments, max(label(1), label(segments * ds / (6 * h) + 0.5)))),
       ds_(ds),
-      radius_(radius),
+      radius_(1.5 * h),
       K_(segments)
 {
     forAll(K_, i)
@@ -24,13 +24,25 @@ Foam::thicknessCouple::thicknessCouple(const label segments, const scalar ds,
     }
 }
 
-Foam::scalar Foam::thicknessCouple::resolved(const deltaKernel& kernel,
-                                             const scalar mu, const scalar h)
+Foam::thicknessCouple::thicknessCouple(const label segments, const scalar ds,
+                                       const scalar inset,
+                                       const deltaKernel& kernel,
+                                       const scalar mu, const scalar h)
+    : thicknessCouple(segments, ds, inset,
+                      constant::mathematical::twoPi * mu *
+                          sqr(h * markerLine::radius(kernel)),
+                      h)
 {
-    const scalar beta = kernel.type() == deltaKernel::Roma3 ? 0.0588 : 0.0431;
-    const scalar K =
-        constant::mathematical::twoPi * sqr(markerLine::radius(kernel));
-    return mu * sqr(h) * K / (1 - beta * K);
+    const scalar apart = segments * ds / stations_;
+    own_ = 1.5 * sqr(radius_ / h) * ownShear(kernel, apart / h) / (mu * apart);
+}
+
+Foam::scalar Foam::thicknessCouple::ownShear(const deltaKernel& kernel,
+                                             const scalar apart)
+{
+    const bool Roma = kernel.type() == deltaKernel::Roma3;
+    return pow025(pow4(Roma ? 0.0588 : 0.0431) +
+                  pow4((Roma ? 0.0130 : 0.0076) * apart));
 }
 
 Foam::thicknessCouple::frame
@@ -66,17 +78,23 @@ void Foam::thicknessCouple::markers(const vectorField& X, List<frame>& frames,
     }
 }
 
-void Foam::thicknessCouple::shear(const List<frame>& frames, const vector* U,
-                                  vectorField& g) const
+void Foam::thicknessCouple::shear(const List<frame>& frames,
+                                  const scalarField& K, const vector* U,
+                                  const vector* F, vectorField& g) const
 {
     g.setSize(segments_);
     forAll(frames, j)
     {
         const frame& f = frames[j];
+        // Lines in one place make it together
+        const label middle = (first(j) + first(j + 1)) / 2;
+        const scalar own = own_ * K_[middle] / K[middle];
         vector here(Zero);
         for (const vector& e : f.e)
         {
-            here += 2.0 / 3 / radius_ * (*U++ & f.t) * e;
+            scalar u = *U++ & f.t;
+            if (own > 0) u -= own * (*F++ & f.t);
+            here += 2.0 / 3 / radius_ * u * e;
         }
         std::fill(&g[first(j)], g.data() + first(j + 1), here);
     }

@@ -70,13 +70,14 @@ private:
 };
 
 //- What is looked at of a marker: its place in cells (binsOfDirection::place), its line
-//  (negative: in no bin, counts for nobody), its number along it, whether distant parts
-//  of the line may meet, and the next marker in its bin (negative: none)
+//  (negative: in no bin, counts for nobody), its number along it if distant parts of the
+//  line may meet (else negative), and the next marker in its bin (negative: none)
 struct markerOfLine
 {
     scalar at[3];
     label line, number, next;
-    bool folded;
+
+    bool folded() const { return number >= 0; }
 
     //- Neighbours within one line: in one that is folded those further apart
     //  meet by chance
@@ -84,7 +85,7 @@ struct markerOfLine
     {
         const label apart = 4;
         return line == other.line &&
-               (!folded || std::abs(number - other.number) <= apart);
+               (!folded() || std::abs(number - other.number) <= apart);
     }
 };
 
@@ -149,7 +150,8 @@ class markerBins
                         binOf(near_[0][i], near_[1][j], near_[2][k]);
                     const binContent& c = contents_[b];
                     chosen[nChosen] = b;
-                    nChosen += (c.first >= 0) & ((c.line != m.line) | m.folded);
+                    nChosen +=
+                        (c.first >= 0) & ((c.line != m.line) | m.folded());
                 }
             }
         }
@@ -175,7 +177,7 @@ class markerBins
     }
 
 public:
-    //- ids of each marker: its line, its number and whether the line is folded
+    //- ids of each marker: its line, its number if the line is folded, else -1
     markerBins(const uniformGrid& grid, const UList<vector>& X,
                const scalarField& ids)
         : bins_{{grid, 0}, {grid, 1}, {grid, 2}},
@@ -185,9 +187,8 @@ public:
         forAll(X, k)
         {
             markerOfLine& m = all_[k];
-            m.line = label(ids[3 * k]);
-            m.number = label(ids[3 * k + 1]);
-            m.folded = ids[3 * k + 2];
+            m.line = label(ids[2 * k]);
+            m.number = label(ids[2 * k + 1]);
             if (m.line < 0) continue;
             for (direction d = 0; d < 3; ++d)
             {
@@ -269,7 +270,7 @@ Foam::scalarField Foam::markerSet::linesHere(const UList<vector>& X,
         }
         return folded(SubList<vector>(X, end - begin, begin));
     };
-    scalarField ids(3 * size());
+    scalarField ids(2 * size());
     for (label begin = 0, end = 0; begin < line.size(); begin = end)
     {
         while (end < line.size() && line[end] == line[begin])
@@ -277,12 +278,11 @@ Foam::scalarField Foam::markerSet::linesHere(const UList<vector>& X,
         const bool folded = mayFold && line[begin] >= 0 && isFolded(begin, end);
         for (label k = begin; k < end; ++k)
         {
-            ids[3 * k] = line[k];
-            ids[3 * k + 1] = k;
-            ids[3 * k + 2] = folded;
+            ids[2 * k] = line[k];
+            ids[2 * k + 1] = folded ? k : -1;
         }
     }
-    return copies_.handOut(ids.cdata(), 3);
+    return copies_.handOut(ids.cdata(), 2);
 }
 
 void Foam::markerSet::closeLines(const UList<vector>& X, const labelUList& line,

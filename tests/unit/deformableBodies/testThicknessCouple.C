@@ -1,0 +1,72 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "markerSet.H"
+#include "testFlow.H"
+#include "thicknessCouple.H"
+
+using namespace Foam;
+using namespace test;
+
+// Slow flow that the couple of an endless straight line drives, in a periodic box as
+// long as the line: nothing of the shear that it makes at its points is left
+TEST(ThicknessCouple, doesNotFeelItself)
+{
+    Random random(3);
+    for (const deltaKernel::kernelType type :
+         {deltaKernel::Roma3, deltaKernel::Peskin4})
+    {
+        scalar largest = 0;
+        for (const label cells : {5, 6, 7, 8, 9, 12, 16})
+        {
+            const scalar h = 0.1, mu = 2;
+            box b(labelVector(cells, 48, 48), h * vector(cells, 48, 48),
+                  periodic, mu);
+            const uniformGrid& grid = uniformGrid::New(b.mesh());
+            const deltaKernel kernel(type);
+            const label segments = 4 * cells;
+            const scalar ds = 0.25 * h;
+            const thicknessCouple couple(segments, ds, 0, kernel, mu, h);
+
+            // Turning like a rigid line, about its middle
+            const vector start(h * random.sample01<vector>() +
+                               h * vector(0, 24, 24));
+            const vector turning(0, random.sample01<scalar>(),
+                                 random.sample01<scalar>());
+            vectorField X(segments + 1), V(segments + 1);
+            forAll(X, i)
+            {
+                X[i] = start + vector(i * ds, 0, 0);
+                V[i] = i * ds * turning;
+            }
+            List<thicknessCouple::frame> frames;
+            vectorField at(couple.nMarkers()), F(at.size()), U, g, gAndOwn;
+            couple.markers(X, frames, at.data());
+            couple.forces(frames, V, vectorField(segments, Zero), couple.K(),
+                          F.data());
+
+            // From rest a step without end brings twice the steady flow
+            auto flow = b.flow("convection off; diffusion FFT;");
+            blockNeighbours neighbours(grid);
+            markerSet markers(grid, kernel, neighbours);
+            markers.place(at);
+            markers.spread(F, flow->force());
+            flow->step(1e8 * sqr(h) / mu);
+            markers.interpolate({flow->velocity()}, U);
+            U *= 0.5;
+
+            const vectorField none(F.size(), Zero);
+            couple.shear(frames, couple.K(), U.cdata(), none.cdata(), gAndOwn);
+            couple.shear(frames, couple.K(), U.cdata(), F.cdata(), g);
+            largest = max(largest, max(mag(g)) / max(mag(gAndOwn)));
+
+            // Nor do two lines in one place that share it
+            vectorField ofTwo;
+            couple.shear(frames, scalarField(0.5 * couple.K()), U.cdata(),
+                         vectorField(0.5 * F).cdata(), ofTwo);
+            EXPECT_LE(max(mag(ofTwo - g)), 1e-12 * max(mag(gAndOwn)));
+        }
+        expectBelow(std::string("shear of its own that is left, ") +
+                        (type == deltaKernel::Roma3 ? "Roma3" : "Peskin4"),
+                    largest, 0.03);
+    }
+}
