@@ -366,6 +366,10 @@ void Foam::markerSet::scatterCut(const UList<vector>& F,
                });
 }
 
+// A sweep begins where the last one ended, as what that touched may still be in the
+// cache. The flow goes from low to high layers of cells; so values are taken from high to
+// low ones, and forces that come after them go from low to high.
+//
 // Markers reach two layers of cells down and up: those of every other layer of bunches
 // have no point in common, so values are taken a layer of bunches behind the forces.
 // Those that are clipped or cut are in no order: first their forces, last their values
@@ -377,28 +381,25 @@ void Foam::markerSet::sweepAll(const UList<vector>& F,
 {
     static_assert(bunch_ >= 4, "forces come after values");
     const auto layerOf = [&](const label k) { return layerOfBunches(at_[k]); };
-    label scattered = 0, gathered = 0;
-    const label end = nWhole_ + nClipped_;
+    const label all = nWhole_ + nClipped_;
     scatterCut<n>(F, f);
-    scatterWhole<n>(F, f, nWhole_, end);
+    scatterWhole<n>(F, f, nWhole_, all);
     if (u.empty())
     {
         scatterWhole<n>(F, f, 0, nWhole_);
         return;
     }
-    while (scattered < nWhole_ && f.size())
+    label gathered = nWhole_;
+    for (label end = nWhole_, begin = end; end > 0; end = begin)
     {
-        const label layer = layerOf(scattered), begin = scattered;
-        while (scattered < nWhole_ && layerOf(scattered) == layer)
-            ++scattered;
-        scatterWhole<n>(F, f, begin, scattered);
-        const label first = gathered;
-        while (gathered < scattered && layerOf(gathered) < layer)
-            ++gathered;
-        gatherWhole<n>(u, first, gathered, U);
+        while (begin > 0 && layerOf(begin - 1) == layerOf(end - 1))
+            --begin;
+        scatterWhole<n>(F, f, begin, end);
+        gatherWhole<n>(u, end, gathered, U);
+        gathered = end;
     }
-    gatherWhole<n>(u, gathered, nWhole_, U);
-    gatherWhole<n>(u, nWhole_, end, U);
+    gatherWhole<n>(u, 0, gathered, U);
+    gatherWhole<n>(u, nWhole_, all, U);
     gatherCut<n>(u, U);
 }
 
