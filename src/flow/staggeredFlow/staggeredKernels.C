@@ -339,7 +339,7 @@ void Foam::staggeredFlow::project()
 
     // Of walls above the velocity is zero since predict()
     block_.updateAbove({u_[0].data(), u_[1].data(), u_[2].data()});
-    block_.rows(
+    block_.rowsFromAbove(
         [&](const label q, const label)
         {
             const double* a = u_[0].data() + q;
@@ -363,7 +363,7 @@ void Foam::staggeredFlow::project()
 
     rates_.assign(nx, 0);
     const double d0 = dt / h.x(), d1 = dt / h.y(), d2 = dt / h.z();
-    block_.rows(
+    block_.rowsFromAbove(
         [&](const label q, const label)
         {
             double* a = u_[0].data() + q;
