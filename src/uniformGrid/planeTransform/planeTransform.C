@@ -330,7 +330,9 @@ void Foam::planeTransform::transformBack(double* plane)
 void Foam::planeTransform::forward(const scalar* x)
 {
     toPlanes_->forward(x, plans_->planes);
-    for (label k = 0; k < nPlanes; ++k)
+
+    // Against whoever made the values, see haloBlock::rowsFromAbove
+    for (label k = nPlanes - 1; k >= 0; --k)
     {
         toPlane_[k].forward(x, plane(k));
         transform(plane(k));
