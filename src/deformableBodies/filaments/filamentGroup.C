@@ -315,6 +315,13 @@ void Foam::filamentGroup::readCouplingEntries(const dictionary& dict)
         const scalar r = L / thickness_, re = 1.24 * r / std::sqrt(std::log(r));
         const label N = properties_.segments;
         const scalar ds = properties_.ds();
+        if (twoWay() && ds > 9 * h_)
+        {
+            refuse(dict, "segments", Foam::name(N),
+                   Foam::name(label(L / (9 * h_)) + 1) +
+                       " and more with thicknessCouple, which is unstable on "
+                       "segments longer than nine cells");
+        }
         couple_.reset(twoWay()
                           ? new thicknessCouple(N, ds, inset, scene_.kernel,
                                                 scene_.mu, h_)

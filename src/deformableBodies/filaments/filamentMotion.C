@@ -177,8 +177,8 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
     }
     if (couple_)
     {
-        couple_->shear(x.frames, around.couple, U + n, x.forces.cdata() + n,
-                       around.shear);
+        couple_->shear(x.frames, around.couple, U + n,
+                       twoWay() ? x.forces.cdata() + n : nullptr, around.shear);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "mathematicalConstants.H"
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 Foam::thicknessCouple::thicknessCouple(const label segments, const scalar ds,
                                        const scalar inset, const scalar K,
@@ -52,7 +53,8 @@ Foam::thicknessCouple::at(const vectorField& X, const label station) const
     f.t = X[first(station + 1)] - X[first(station)];
     f.t /= mag(f.t);
 
-    // Any direction across does: three points measure a linear field exactly
+    // Any direction across does, as three points measure a linear field exactly; where
+    // another one is taken, the forces of the last step point elsewhere for one step
     vector a(mag(f.t.x()) < 0.7 ? vector(1, 0, 0) : vector(0, 1, 0));
     a -= (a & f.t) * f.t;
     a /= mag(a);
@@ -86,14 +88,17 @@ void Foam::thicknessCouple::shear(const List<frame>& frames,
     forAll(frames, j)
     {
         const frame& f = frames[j];
-        // Lines in one place make it together
-        const label middle = (first(j) + first(j + 1)) / 2;
-        const scalar own = own_ * K_[middle] / K[middle];
+        // n lines in one place, each with an n-th of the couple, make n times the
+        // shear of one
+        const auto sum = [&](const scalarField& K) {
+            return std::accumulate(&K[first(j)], K.cdata() + first(j + 1), 0.0);
+        };
+        const scalar own = F ? own_ * sum(K_) / sum(K) : 0;
         vector here(Zero);
         for (const vector& e : f.e)
         {
             scalar u = *U++ & f.t;
-            if (own > 0) u -= own * (*F++ & f.t);
+            if (F) u -= own * (*F++ & f.t);
             here += 2.0 / 3 / radius_ * u * e;
         }
         std::fill(&g[first(j)], g.data() + first(j + 1), here);

@@ -366,9 +366,10 @@ void Foam::markerSet::scatterCut(const UList<vector>& F,
                });
 }
 
-// A sweep begins where the last one ended, as what that touched may still be in the
-// cache. The flow goes from low to high layers of cells; so values are taken from high to
-// low ones, and forces that come after them go from low to high.
+// A sweep begins where the pass before it ended, as what that touched may still be in the
+// cache. The explicit terms of the flow go from low to high layers of cells; so a sweep
+// that takes values goes from high to low, and one for forces alone, which comes after
+// it, from low to high.
 //
 // Markers reach two layers of cells down and up: those of every other layer of bunches
 // have no point in common, so values are taken a layer of bunches behind the forces.

@@ -331,7 +331,7 @@ void Foam::planeTransform::forward(const scalar* x)
 {
     toPlanes_->forward(x, plans_->planes);
 
-    // Against whoever made the values, see haloBlock::rowsFromAbove
+    // From the last plane on, which the last transform back has left in the cache
     for (label k = nPlanes - 1; k >= 0; --k)
     {
         toPlane_[k].forward(x, plane(k));

@@ -59,11 +59,20 @@ TEST(ThicknessCouple, doesNotFeelItself)
             couple.shear(frames, couple.K(), U.cdata(), F.cdata(), g);
             largest = max(largest, max(mag(g)) / max(mag(gAndOwn)));
 
-            // Nor do two lines in one place that share it
+            // Nor do two lines in one place that share it, nor one that others cross
+            // in the middle of the first station, where it has little of the couple
             vectorField ofTwo;
             couple.shear(frames, scalarField(0.5 * couple.K()), U.cdata(),
                          vectorField(0.5 * F).cdata(), ofTwo);
             EXPECT_LE(max(mag(ofTwo - g)), 1e-12 * max(mag(gAndOwn)));
+
+            scalarField K(couple.K());
+            const label middle = segments / couple.nMarkers() * 3 / 2;
+            K[middle] *= 0.01;
+            couple.forces(frames, V, vectorField(segments, Zero), K, F.data());
+            vectorField zero(F.size(), Zero), own;
+            couple.shear(frames, K, zero.cdata(), F.cdata(), own);
+            EXPECT_LE(max(mag(own)), 1.001 * max(mag(gAndOwn - g)));
         }
         expectBelow(std::string("shear of its own that is left, ") +
                         (type == deltaKernel::Roma3 ? "Roma3" : "Peskin4"),
