@@ -319,8 +319,8 @@ void Foam::filamentGroup::readCouplingEntries(const dictionary& dict)
         {
             refuse(dict, "segments", Foam::name(N),
                    Foam::name(label(L / (9 * h_)) + 1) +
-                       " and more with thicknessCouple, which is unstable on "
-                       "segments longer than nine cells");
+                       " and more with thicknessCouple, whose points are to be "
+                       "no more than nine cells apart");
         }
         couple_.reset(twoWay()
                           ? new thicknessCouple(N, ds, inset, scene_.kernel,

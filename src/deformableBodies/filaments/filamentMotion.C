@@ -162,7 +162,7 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
             // half of its last change damps what this delay excites. The force
             // of the last step stays on
             if (!s.predicted) around.U[k] += 0.5 * change;
-            around.U[k] -= (1 / around.drag[k]) * x.forces[k];
+            around.U[k] -= x.forces[k] / around.drag[k];
         }
         else
         {

@@ -90,8 +90,10 @@ void Foam::thicknessCouple::shear(const List<frame>& frames,
         const frame& f = frames[j];
         // n lines in one place, each with an n-th of the couple, make n times the
         // shear of one
-        const auto sum = [&](const scalarField& K) {
-            return std::accumulate(&K[first(j)], K.cdata() + first(j + 1), 0.0);
+        const auto sum = [&](const scalarField& couples)
+        {
+            return std::accumulate(&couples[first(j)],
+                                   couples.cdata() + first(j + 1), 0.0);
         };
         const scalar own = F ? own_ * sum(K_) / sum(K) : 0;
         vector here(Zero);
