@@ -35,28 +35,17 @@ bool Foam::functionObjects::energySpectrum::read(const dictionary& dict)
     fvMeshFunctionObject::read(dict);
     writeFile::read(dict);
 
-    grid_.require(dict, typeName);
-    FixedList<sideConditions, 3> sides;
-    for (direction d = 0; d < 3; ++d)
-    {
-        sides[d].periodic = true;
-        if (!grid_.periodic(d))
-        {
-            firstRankSpeaks();
-            FatalIOErrorInFunction(dict)
-                << typeName << " needs a box that is periodic in all "
-                << "directions, but " << vector::componentNames[d] << " is not"
-                << exit(FatalIOError);
-        }
-    }
+    grid_.requirePeriodic(dict, typeName);
+    sideConditions periodic;
+    periodic.periodic = true;
+    const FixedList<sideConditions, 3> sides(periodic);
     phiName_ = dict.getOrDefault<word>("phi", "phi");
     const IOdictionary transport(
         IOobject("transportProperties", mesh_.time().constant(), mesh_,
                  IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false));
     nu_ = readPositive(dict.found("nu") ? dict : transport, "nu", dimViscosity);
 
-    transform_.reset(
-        new planeTransform(grid_, sides, grid_.cells(), grid_.index()));
+    transform_.reset(new planeTransform(grid_, sides, grid_.index()));
     dk_ = constant::mathematical::twoPi / cmptMax(grid_.length());
     return true;
 }

@@ -4,7 +4,6 @@
 #include "dictionaryChecks.H"
 #include "flowSources.H"
 #include "staggeredFlow.H"
-#include <functional>
 
 Foam::flowAlgorithm::flowAlgorithm(const dictionary& controls,
                                    const string& obstacle)
@@ -48,28 +47,17 @@ Foam::string Foam::flowAlgorithm::obstacle(const volVectorField& U,
                                            const word& transport,
                                            const word& turbulence)
 {
-    const auto meshAndConditions = [&]()
-    { return staggeredFlow::unsupported(U, p); };
-
-    const auto models = [&]()
-    {
-        const bool known =
-            turbulence == "Stokes" &&
-            (transport == "Newtonian" || transport == "prescribed");
-        return known ? string::null
-                     : string("it knows laminar flow of a fluid of given "
-                              "viscosity only (transportModel Newtonian or "
-                              "prescribed); turbulence is " +
-                              turbulence + ", transportModel " + transport);
-    };
-
-    const auto options = [&]() { return flowSources::unsupported(sources, U); };
-
+    const bool known = turbulence == "Stokes" &&
+                       (transport == "Newtonian" || transport == "prescribed");
+    const string models(
+        known ? ""
+              : "it knows laminar flow of a fluid of given viscosity only "
+                "(transportModel Newtonian or prescribed); turbulence is " +
+                    turbulence + ", transportModel " + transport);
     string all;
-    for (const auto& reason :
-         List<std::function<string()>>({meshAndConditions, models, options}))
+    for (const string& one : {staggeredFlow::unsupported(U, p), models,
+                              flowSources::unsupported(sources, U)})
     {
-        const string one(reason());
         if (!one.empty()) all += (all.empty() ? "" : "; ") + one;
     }
     return all;

@@ -5,7 +5,6 @@
 #include "dictionaryChecks.H"
 #include "fvMatrices.H"
 #include "IOdictionary.H"
-#include "lowModeForcing.H"
 #include "resultFile.H"
 
 namespace
@@ -189,20 +188,19 @@ Foam::string Foam::flowSources::unsupported(const fv::optionList& options,
 
 Foam::flowSources::flowSources(fv::optionList& options, volVectorField& U,
                                staggeredFlow& flow, effectLedger& effects)
-    : options_(options),
-      U_(U),
+    : U_(U),
       flow_(flow),
       effects_(effects)
 {
-    forAll(options_, i)
+    for (fv::option& o : static_cast<PtrList<fv::option>&>(options))
     {
-        fv::option& o = options_[i];
         if (o.applyToField(U.name()) < 0) continue;
-        if (isA<fv::lowModeForcing>(o)) forcings_.append(i);
-        if (explicitTypes.found(o.type())) explicit_.append(i);
+        auto* forcing = dynamic_cast<fv::lowModeForcing*>(&o);
+        if (forcing) forcings_.push_back(forcing);
+        if (explicitTypes.found(o.type())) explicit_.push_back(&o);
         if (o.type() == "meanVelocityForce")
         {
-            held_ = i;
+            held_ = &o;
             Ubar_ = o.coeffs().get<vector>("Ubar");
             gradient_.reset(new gradientOfRun(o.name(), U.mesh()));
             if (Pstream::master())
@@ -214,30 +212,15 @@ Foam::flowSources::flowSources(fv::optionList& options, volVectorField& U,
             }
         }
     }
-    const bool any = forcings_.size() || explicit_.size() || held_ >= 0;
+    const bool any = forcings_.size() || explicit_.size() || held_;
     effects_.declare("sources", any,
                      any ? "constant/fvOptions" : "none in constant/fvOptions");
-}
-
-void Foam::flowSources::addCellSource(fv::option& o)
-{
-    const uniformGrid& grid = uniformGrid::New(U_.mesh());
-    const fvVectorMatrix eqn(matrixOf(o, U_));
-    if (isImplicit(eqn))
-    {
-        firstRankSpeaks();
-        FatalIOErrorInFunction(o.coeffs())
-            << "fvOption " << o.name() << " has an implicit part, which the "
-            << "staggered algorithm does not know; use flowAlgorithm pimple"
-            << exit(FatalIOError);
-    }
-    flow_.addCells(eqn.source(), -1 / grid.cellVolume());
 }
 
 void Foam::flowSources::add()
 {
     // Options may be active for some time only
-    if (held_ >= 0 && options_[held_].isActive())
+    if (held_ && held_->isActive())
     {
         const direction d = axisOf(Ubar_);
         flow_.hold(d, Ubar_[d], sign(Ubar_[d]) * gradient_->value);
@@ -245,7 +228,7 @@ void Foam::flowSources::add()
     else
     {
         flow_.release();
-        if (held_ >= 0)
+        if (held_)
         {
             gradient_->value = 0;
             gradient_->held = false;
@@ -254,22 +237,29 @@ void Foam::flowSources::add()
     if (forcings_.empty() && explicit_.empty()) return;
 
     const auto timing(effects_.time("sources"));
-    for (const label i : forcings_)
+    for (fv::lowModeForcing* forcing : forcings_)
     {
-        if (options_[i].isActive())
-        {
-            refCast<fv::lowModeForcing>(options_[i]).addTo(flow_.force());
-        }
+        if (forcing->isActive()) forcing->addTo(flow_.force());
     }
-    for (const label i : explicit_)
+    for (fv::option* o : explicit_)
     {
-        addCellSource(options_[i]);
+        const fvVectorMatrix eqn(matrixOf(*o, U_));
+        if (isImplicit(eqn))
+        {
+            firstRankSpeaks();
+            FatalIOErrorInFunction(o->coeffs())
+                << "fvOption " << o->name() << " has an implicit part, which "
+                << "the staggered algorithm does not know; use flowAlgorithm "
+                << "pimple" << exit(FatalIOError);
+        }
+        flow_.addCells(eqn.source(),
+                       -1 / uniformGrid::New(U_.mesh()).cellVolume());
     }
 }
 
 void Foam::flowSources::report()
 {
-    if (held_ < 0 || !options_[held_].isActive()) return;
+    if (!held_ || !held_->isActive()) return;
 
     // In its first step it has to bring the flow to this mean, once
     gradient_->value =

@@ -34,13 +34,10 @@ struct Foam::fv::EswaranPopeForcing::state : public regIOobject
     virtual bool writeData(Ostream& os) const
     {
         scalarField values;
-        for (const auto& b : forcing_.b_)
+        for (const complexNumber& b : forcing_.b_)
         {
-            for (const complexNumber& c : b)
-            {
-                values.append(c.real());
-                values.append(c.imag());
-            }
+            values.append(b.real());
+            values.append(b.imag());
         }
         const int precision = os.precision(17);
         os.writeEntry("steps", forcing_.steps_);
@@ -91,32 +88,25 @@ Foam::fv::EswaranPopeForcing::EswaranPopeForcing(const word& name,
     // deviation^2 per mode
     deviation_ = acceleration / std::sqrt(2.0 * modes.size());
 
-    b_.resize(modes.size());
+    b_.resize(3 * modes.size());
     IOobject io(name, mesh.time().timeName(), "uniform", mesh,
                 IOobject::MUST_READ, IOobject::NO_WRITE, false);
     if (isThere<IOdictionary>(io))
     {
         const IOdictionary old(io);
         const scalarField values("values", old,
-                                 label(6 * b_.size())); // checks the size
+                                 label(2 * b_.size())); // checks the size
         steps_ = old.get<label>("steps");
-        for (size_t m = 0; m < b_.size(); ++m)
+        for (size_t i = 0; i < b_.size(); ++i)
         {
-            for (direction d = 0; d < 3; ++d)
-            {
-                b_[m][d] = complexNumber(values[6 * m + 2 * d],
-                                         values[6 * m + 2 * d + 1]);
-            }
+            b_[i] = complexNumber(values[2 * i], values[2 * i + 1]);
         }
     }
     else
     {
-        for (size_t m = 0; m < b_.size(); ++m)
+        for (size_t i = 0; i < b_.size(); ++i)
         {
-            for (direction d = 0; d < 3; ++d)
-            {
-                b_[m][d] = random(m, d);
-            }
+            b_[i] = random(i);
         }
     }
     state_.reset(new state(*this, mesh));
@@ -125,10 +115,10 @@ Foam::fv::EswaranPopeForcing::EswaranPopeForcing(const word& name,
 
 Foam::fv::EswaranPopeForcing::~EswaranPopeForcing() {}
 
-// Two normal deviates (Box & Muller) from a hash of seed, step, mode and
-// component (the finaliser of splitmix64)
+// Two normal deviates (Box & Muller) from a hash of seed, step and number (the
+// finaliser of splitmix64)
 Foam::fv::EswaranPopeForcing::complexNumber
-Foam::fv::EswaranPopeForcing::random(const label modei, const direction d) const
+Foam::fv::EswaranPopeForcing::random(const uint64_t i) const
 {
     uint64_t x = uint64_t(seed_);
     const auto mix = [&](const uint64_t add)
@@ -140,7 +130,7 @@ Foam::fv::EswaranPopeForcing::random(const label modei, const direction d) const
         return (double(x >> 11) + 0.5) / 9007199254740992.0; // 2^53
     };
     mix(uint64_t(steps_));
-    const double u = mix(uint64_t(3 * modei + d));
+    const double u = mix(i);
     const double v = mix(0);
     return std::polar(std::sqrt(-2 * std::log(u)),
                       constant::mathematical::twoPi * v);
@@ -148,14 +138,15 @@ Foam::fv::EswaranPopeForcing::random(const label modei, const direction d) const
 
 void Foam::fv::EswaranPopeForcing::project()
 {
-    for (size_t m = 0; m < b_.size(); ++m)
+    const complexNumber* b = b_.data();
+    for (mode& m : modes())
     {
-        const vector k(waveVector(modes()[m].m));
+        const vector k(waveVector(m.m));
         const complexNumber along =
-            (k[0] * b_[m][0] + k[1] * b_[m][1] + k[2] * b_[m][2]) / magSqr(k);
-        for (direction d = 0; d < 3; ++d)
+            (k[0] * b[0] + k[1] * b[1] + k[2] * b[2]) / magSqr(k);
+        for (direction d = 0; d < 3; ++d, ++b)
         {
-            modes()[m].c[d] = deviation_ * (b_[m][d] - along * k[d]);
+            m.c[d] = deviation_ * (*b - along * k[d]);
         }
     }
 }
@@ -169,12 +160,9 @@ void Foam::fv::EswaranPopeForcing::advance()
     ++steps_;
     const scalar keep = std::exp(-time.deltaTValue() / timeScale_);
     const scalar fresh = std::sqrt(1 - sqr(keep));
-    for (size_t m = 0; m < b_.size(); ++m)
+    for (size_t i = 0; i < b_.size(); ++i)
     {
-        for (direction d = 0; d < 3; ++d)
-        {
-            b_[m][d] = keep * b_[m][d] + fresh * random(m, d);
-        }
+        b_[i] = keep * b_[i] + fresh * random(i);
     }
     project();
 }

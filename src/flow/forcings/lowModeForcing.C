@@ -26,18 +26,7 @@ Foam::fv::lowModeForcing::lowModeForcing(const word& name,
     checkEntries(coeffs_, allowed);
     fieldNames_.setSize(1, coeffs_.getOrDefault<word>("U", "U"));
     applied_.setSize(1, false);
-    grid_.require(dict_, modelType);
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (!grid_.periodic(d))
-        {
-            firstRankSpeaks();
-            FatalIOErrorInFunction(dict_)
-                << modelType << " needs a box that is periodic in all "
-                << "directions, but " << vector::componentNames[d] << " is not"
-                << exit(FatalIOError);
-        }
-    }
+    grid_.requirePeriodic(dict_, modelType);
 }
 
 Foam::vector Foam::fv::lowModeForcing::waveVector(const labelVector& m) const

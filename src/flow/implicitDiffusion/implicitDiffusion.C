@@ -19,8 +19,7 @@ Foam::implicitDiffusion::implicitDiffusion(const uniformGrid& grid,
         }
         if (byFFT)
         {
-            transforms_[c].reset(
-                new fastHelmholtz(grid, sides, grid.cells(), grid.index()));
+            transforms_[c].reset(new fastHelmholtz(grid, sides, grid.index()));
         }
     }
 }
@@ -33,12 +32,7 @@ void Foam::implicitDiffusion::byLines(const FixedList<scalar*, 3>& x,
                                       const wallVelocities& change)
 {
     // Factors with walls that change do not commute: what one adds only the later ones see
-    bool resting = true;
-    for (direction d = 0; d < 3; ++d)
-    {
-        resting = resting && change[d][0] == vector::zero &&
-                  change[d][1] == vector::zero;
-    }
+    const bool resting = change == wallVelocities(FixedList<vector, 2>(Zero));
     FixedList<direction, 3> order({0, 1, 2}), next({0, 0, 0});
     label n = 0;
     for (const bool waits : {true, false})
@@ -84,11 +78,9 @@ void Foam::implicitDiffusion::byTransforms(const direction component, scalar* x,
                                            const scalar b,
                                            const wallVelocities& change)
 {
-    FixedList<scalar, 3> beta;
-    for (direction d = 0; d < 3; ++d)
-    {
-        beta[d] = b / sqr(grid_.h()[d]);
-    }
+    const vector& h = grid_.h();
+    const FixedList<scalar, 3> beta(
+        {b / sqr(h.x()), b / sqr(h.y()), b / sqr(h.z())});
 
     // The mirrored value beyond a wall is 2 change - x
     const cellBox& box = grid_.box();
@@ -110,11 +102,7 @@ void Foam::implicitDiffusion::solve(const FixedList<scalar*, 3>& x,
                                     const scalar b,
                                     const wallVelocities& change)
 {
-    if (!transforms_[0])
-    {
-        byLines(x, b, change);
-        return;
-    }
+    if (!transforms_[0]) return byLines(x, b, change);
     for (direction c = 0; c < 3; ++c)
     {
         if (x[c]) byTransforms(c, x[c], b, change);

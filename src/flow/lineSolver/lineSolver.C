@@ -6,20 +6,16 @@
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <Eigen/Dense>
 
-// Points [begin, end) of a line of n
-Foam::lineSolver::piece::piece(const label begin, const label end,
-                               const label n, const bool periodic,
-                               const bool faces, const double beta)
-    : r(end - begin),
-      c(end - begin),
-      before(end - begin, 0),
-      after(end - begin, 0)
+Foam::lineSolver::piece Foam::lineSolver::makePiece(const label p) const
 {
+    const label begin = begins_[p], end = begins_[p + 1], n = begins_.last();
     const label m = end - begin;
+    const double beta = beta_;
+    std::vector<double> r(m), c(m), before(m, 0), after(m, 0);
     for (label j = 0; j < m; ++j)
     {
         double diag = 1 + 2 * beta;
-        if (!periodic && !faces)
+        if (!periodic_ && !faces_)
         {
             if (begin + j == 0) diag += beta;
             if (begin + j == n - 1) diag += beta;
@@ -28,12 +24,12 @@ Foam::lineSolver::piece::piece(const label begin, const label end,
         c[j] = beta * r[j];
 
         // A value on a wall is zero
-        if (!periodic && faces && begin + j == 0) r[j] = c[j] = 0;
+        if (!periodic_ && faces_ && begin + j == 0) r[j] = c[j] = 0;
     }
 
     // Nothing is beyond a wall
-    if (periodic || begin > 0) before[0] = beta;
-    if (periodic || end < n) after[m - 1] = beta;
+    if (periodic_ || begin > 0) before[0] = beta;
+    if (periodic_ || end < n) after[m - 1] = beta;
     for (std::vector<double>* x : {&before, &after})
     {
         for (label j = 0; j < m; ++j)
@@ -45,6 +41,7 @@ Foam::lineSolver::piece::piece(const label begin, const label end,
             (*x)[j] += c[j] * (*x)[j + 1];
         }
     }
+    return {r, c, before, after};
 }
 
 namespace
@@ -52,7 +49,8 @@ namespace
 using namespace Foam;
 
 //- The ranks that share this rank's lines, in order along them: first cell and
-//  rank
+//  rank. None where blocks that meet along the direction have not the same
+//  cross-section everywhere (collective)
 std::vector<std::pair<label, label>> sharing(const uniformGrid& grid,
                                              const direction dir)
 {
@@ -60,6 +58,7 @@ std::vector<std::pair<label, label>> sharing(const uniformGrid& grid,
     const cellBox& mine = grid.box();
     const List<cellBox> boxes(grid.allBoxes());
     std::vector<std::pair<label, label>> all;
+    label held = 0;
     forAll(boxes, proci)
     {
         const cellBox& x = boxes[proci];
@@ -67,23 +66,14 @@ std::vector<std::pair<label, label>> sharing(const uniformGrid& grid,
             x.lo[b] == mine.lo[b] && x.size[b] == mine.size[b])
         {
             all.push_back({x.lo[dir], proci});
+            held += x.size[dir];
         }
     }
     std::sort(all.begin(), all.end());
+    if (!returnReduce(held == grid.n()[dir], andOp<bool>())) all.clear();
     return all;
 }
 } // namespace
-
-bool Foam::lineSolver::aligned(const uniformGrid& grid, const direction dir)
-{
-    const List<cellBox> boxes(grid.allBoxes());
-    label held = 0;
-    for (const auto& piece : sharing(grid, dir))
-    {
-        held += boxes[piece.second].size[dir];
-    }
-    return returnReduce(held == grid.n()[dir], andOp<bool>());
-}
 
 // Layers of lines are dealt to the ranks in order; a rank may get none
 Foam::cellBox Foam::lineSolver::deal(const uniformGrid& grid,
@@ -120,19 +110,11 @@ Foam::lineSolver::lineSolver(const uniformGrid& grid, const direction dir,
                              const bool faces)
     : dir_(dir),
       periodic_(grid.periodic(dir)),
-      faces_(faces),
-      box_(aligned(grid, dir) ? grid.box() : deal(grid, dir))
+      faces_(faces)
 {
-    const label nLines = box_.count() / box_.size[dir];
-    std::vector<std::pair<label, label>> pieces;
-    if (toLines_)
-    {
-        pieces.push_back({0, Pstream::myProcNo()});
-    }
-    else
-    {
-        pieces = sharing(grid, dir);
-    }
+    auto pieces(sharing(grid, dir));
+    box_ = pieces.empty() ? deal(grid, dir) : grid.box();
+    if (toLines_) pieces.push_back({0, Pstream::myProcNo()});
     const label nPieces = pieces.size();
     for (label p = 0; p < nPieces; ++p)
     {
@@ -143,6 +125,7 @@ Foam::lineSolver::lineSolver(const uniformGrid& grid, const direction dir,
     coupled_ = periodic_ || nPieces > 1;
     if (returnReduce(nPieces, maxOp<label>()) == 1) return;
 
+    const label nLines = box_.count() / box_.size[dir];
     sent_.resize(2 * nLines);
     received_.resize(2 * nLines * nPieces);
     before_.resize(nLines);
@@ -163,10 +146,8 @@ Foam::lineSolver::lineSolver(const uniformGrid& grid, const direction dir,
 void Foam::lineSolver::factorise(const double beta)
 {
     beta_ = beta;
-    const label nPieces = begins_.size() - 1, n = begins_[nPieces];
-    const auto make = [&](const label p)
-    { return piece(begins_[p], begins_[p + 1], n, periodic_, faces_, beta); };
-    piece_.reset(new piece(make(mine_)));
+    const label nPieces = begins_.size() - 1;
+    piece_ = makePiece(mine_);
     if (!coupled_) return;
 
     // Unknowns: first and last of all pieces.
@@ -177,7 +158,7 @@ void Foam::lineSolver::factorise(const double beta)
     const auto next = [&](const label p) { return 2 * ((p + 1) % nPieces); };
     for (label p = 0; p < nPieces; ++p)
     {
-        const piece q(make(p));
+        const piece q(makePiece(p));
         A(2 * p, previous(p)) -= q.before.front();
         A(2 * p, next(p)) -= q.after.front();
         A(2 * p + 1, previous(p)) -= q.before.back();
@@ -194,8 +175,8 @@ void Foam::lineSolver::factorise(const double beta)
 
     const label m = box_.size[dir_];
     reach_ = 1;
-    while (reach_ < m && (piece_->before[reach_] > 1e-18 ||
-                          piece_->after[m - 1 - reach_] > 1e-18))
+    while (reach_ < m && (piece_.before[reach_] > 1e-18 ||
+                          piece_.after[m - 1 - reach_] > 1e-18))
     {
         ++reach_;
     }
@@ -209,7 +190,7 @@ void Foam::lineSolver::sweep(double* x, const label m, const label stride,
     {
         double* xj = x + j * stride;
         const double* xm = j ? xj - stride : xj;
-        const double r = piece_->r[j], b = j ? beta_ : 0;
+        const double r = piece_.r[j], b = j ? beta_ : 0;
         const double w = (j == 0 ? lower : 0) + (j == n - 1 ? upper : 0);
 #pragma GCC ivdep
         for (label i = 0; i < m; ++i)
@@ -221,7 +202,7 @@ void Foam::lineSolver::sweep(double* x, const label m, const label stride,
     {
         double* xj = x + j * stride;
         const double* xp = xj + stride;
-        const double c = piece_->c[j];
+        const double c = piece_.c[j];
 #pragma GCC ivdep
         for (label i = 0; i < m; ++i)
         {
@@ -257,7 +238,7 @@ void Foam::lineSolver::correct(double* x, const label m, const label stride,
     {
         if (j >= reach_ && j < n - reach_) j = n - reach_;
         double* xj = x + j * stride;
-        const double b = piece_->before[j], a = piece_->after[j];
+        const double b = piece_.before[j], a = piece_.after[j];
 #pragma GCC ivdep
         for (label i = 0; i < m; ++i)
         {
@@ -333,7 +314,7 @@ void Foam::lineSolver::correctRow(double* row, const label j,
     }
     const label at = dir_ == 1 ? j : k, line = nx * (dir_ == 1 ? k : j);
     if (at >= reach_ && at < n - reach_) return;
-    const double b = piece_->before[at], a = piece_->after[at];
+    const double b = piece_.before[at], a = piece_.after[at];
     const double* before = before_.data() + line;
     const double* after = after_.data() + line;
 #pragma GCC ivdep
@@ -347,56 +328,43 @@ void Foam::lineSolver::begin(double* x, const double beta, const double lower,
                              const double upper, lineSolver* earlier)
 {
     if (beta != beta_) factorise(beta);
+    double* swept = x;
     if (toLines_)
     {
         if (earlier) earlier->correct(x);
-        toLines_->forward(x, whole_.data());
-        sweepAll(whole_.data(), lower, upper, nullptr);
-        toLines_->backward(whole_.data(), x);
-        return;
+        earlier = nullptr;
+        swept = whole_.data();
+        toLines_->forward(x, swept);
     }
-    sweepAll(x, lower, upper, earlier);
-}
 
-void Foam::lineSolver::sweepAll(double* x, const double lower,
-                                const double upper, const lineSolver* earlier)
-{
-    const double beta = beta_;
     const bool given = !periodic_ && !faces_;
     const label end = box_.lo[dir_] + box_.size[dir_];
     const double lo = given && box_.lo[dir_] == 0 ? 2 * beta * lower : 0;
     const double up = given && end == begins_.last() ? 2 * beta * upper : 0;
-    const label last = box_.size[dir_] - 1;
-
-    if (!exchange_)
-    {
-        double ends[2 * 64], before[64], after[64];
-        parts(x, earlier,
-              [&](double* y, const label m, const label stride, const label)
-              {
-                  sweep(y, m, stride, lo, up);
-                  if (!coupled_) return;
-                  for (label i = 0; i < m; i += 64)
-                  {
-                      const label some = min(label(64), m - i);
-                      std::copy_n(y + i, some, ends);
-                      std::copy_n(y + last * stride + i, some, ends + 64);
-                      beyond(ends, 64, some, before, after);
-                      correct(y + i, some, stride, before, after);
-                  }
-              });
-        return;
-    }
-
-    const label nLines = before_.size();
-    parts(x, earlier,
+    const label last = box_.size[dir_] - 1, nLines = before_.size();
+    double ends[2 * 64], before[64], after[64];
+    parts(swept, earlier,
           [&](double* y, const label m, const label stride, const label line)
           {
               sweep(y, m, stride, lo, up);
-              std::copy_n(y, m, sent_.data() + line);
-              std::copy_n(y + last * stride, m, sent_.data() + nLines + line);
+              if (exchange_)
+              {
+                  std::copy_n(y, m, sent_.data() + line);
+                  std::copy_n(y + last * stride, m,
+                              sent_.data() + nLines + line);
+                  return;
+              }
+              for (label i = 0; coupled_ && i < m; i += 64)
+              {
+                  const label some = min(label(64), m - i);
+                  std::copy_n(y + i, some, ends);
+                  std::copy_n(y + last * stride + i, some, ends + 64);
+                  beyond(ends, 64, some, before, after);
+                  correct(y + i, some, stride, before, after);
+              }
           });
-    exchange_->startForward(sent_.data());
+    if (exchange_) exchange_->startForward(sent_.data());
+    if (toLines_) toLines_->backward(swept, x);
 }
 
 void Foam::lineSolver::receive()

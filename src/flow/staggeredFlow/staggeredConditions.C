@@ -111,12 +111,8 @@ Foam::string Foam::staggeredFlow::readWalls(const volVectorField& U,
                                             wallVelocities& walls)
 {
     const uniformGrid& grid = uniformGrid::New(U.mesh());
-    const FixedList<vector, 2> start(vector(GREAT, GREAT, GREAT));
-    wallVelocities least(start), largest(start);
-    for (direction d = 0; d < 3; ++d)
-    {
-        largest[d] = FixedList<vector, 2>(vector(-GREAT, -GREAT, -GREAT));
-    }
+    const FixedList<vector, 2> great(vector::max), minusGreat(vector::min);
+    wallVelocities least(great), largest(minusGreat);
     for (const fvPatchVectorField& Ub : U.boundaryField())
     {
         if (Ub.coupled()) continue;

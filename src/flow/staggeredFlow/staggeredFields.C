@@ -97,29 +97,16 @@ Foam::scalar Foam::staggeredFlow::levelOfPressure() const
 void Foam::staggeredFlow::fill()
 {
     const auto timing(effects_.time("fields"));
-    updateVelocity();
+    Info << "Largest divergence, relative to max|u|/h: " << divergence()
+         << endl;
 
     velocity(force_);
     grid_.toFlux(force_, phi_);
     force_.clear();
 
-    // Cells of a block mostly follow each other: rows without division
-    label last = -2, q = 0, toEnd = 0;
-    forAll(grid_.index(), celli)
+    forAll(U_, celli)
     {
-        const label n = grid_.index()[celli];
-        if (n == last + 1 && toEnd > 1)
-        {
-            ++q;
-            --toEnd;
-        }
-        else
-        {
-            const labelVector l(box_.cell(n) - box_.lo);
-            q = block_.place(l);
-            toEnd = box_.size.x() - l.x();
-        }
-        last = n;
+        const label q = block_.placeOf(celli);
         for (direction d = 0; d < 3; ++d)
         {
             U_[celli][d] = 0.5 * (u_[d][q] + u_[d][q + block_.stride(d)]);
@@ -127,8 +114,6 @@ void Foam::staggeredFlow::fill()
         p_[celli] = pressure_[q];
     }
     if (hasReference_) p_.primitiveFieldRef() += levelOfPressure();
-    Info << "Largest divergence, relative to max|u|/h: " << divergence()
-         << endl;
     U_.correctBoundaryConditions();
     p_.correctBoundaryConditions();
     filled_ = true;
@@ -166,13 +151,8 @@ void Foam::staggeredFlow::takeOver()
     reduce(size, maxOp<vector>());
     const auto changed = [&](const direction which)
     { return change[which] > 1e-10 * size[which]; };
-    if (!changed(0) && !changed(1) && !changed(2))
-    {
-        force_.clear();
-        return;
-    }
 
-    if (!tookOver_)
+    if (!tookOver_ && (changed(0) || changed(1) || changed(2)))
     {
         Info << "Between two steps" << (changed(0) ? " U" : "")
              << (changed(1) ? " phi" : "") << (changed(2) ? " p" : "")
@@ -183,34 +163,20 @@ void Foam::staggeredFlow::takeOver()
     if (changed(1) || changed(0))
     {
         rates_.clear();
-        if (changed(1))
+        if (!changed(1))
         {
-            block_.rows(
-                [&](const label q, const label n)
-                {
-                    for (direction d = 0; d < 3; ++d)
-                    {
-                        std::copy_n(force_[d].cdata() + n, box_.size.x(),
-                                    u_[d].data() + q);
-                    }
-                });
-        }
-        else
-        {
-            force_.clear();
+            velocity(force_);
             addCells(U, 1);
-            block_.rows(
-                [&](const label q, const label n)
-                {
-                    for (direction d = 0; d < 3; ++d)
-                    {
-                        for (label i = 0; i < box_.size.x(); ++i)
-                        {
-                            u_[d][q + i] += force_[d][n + i];
-                        }
-                    }
-                });
         }
+        block_.rows(
+            [&](const label q, const label n)
+            {
+                for (direction d = 0; d < 3; ++d)
+                {
+                    std::copy_n(force_[d].cdata() + n, box_.size.x(),
+                                u_[d].data() + q);
+                }
+            });
         stopOnWalls();
         updateVelocity();
     }

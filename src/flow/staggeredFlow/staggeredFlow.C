@@ -45,14 +45,7 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
         diffusion_ == FFT || (diffusion_ == AUTO && stiffBodies && nWalled < 2);
 
     // First, as making it takes memory for a moment
-    {
-        labelList places(grid_.index().size());
-        forAll(places, celli)
-        {
-            places[celli] = block_.placeOf(celli);
-        }
-        poisson_.reset(new fastHelmholtz(grid_, sides, grid_.cells(), places));
-    }
+    poisson_.reset(new fastHelmholtz(grid_, sides, block_.places()));
     u_ = componentArrays(block_.size());
     last_ = componentArrays(box_.nPlaces());
     pressure_.assign(block_.size(), 0);
@@ -67,7 +60,6 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
     }
     reduce(wallsChange_, orOp<bool>());
     readWalls(U, walls_);
-    wallsAhead_ = walls_;
 
     setViscosity(nu);
     readState();
@@ -79,7 +71,8 @@ void Foam::staggeredFlow::setViscosity(const volScalarField& nu,
     nuMax_ = max(highest, gMax(nu.primitiveField()));
     if (nuMax_ - gMin(nu.primitiveField()) <= 1e-12 * nuMax_) return;
 
-    nu_.resize(block_.size());
+    // Also of places that no cell has
+    nu_.resize(block_.size(), nuMax_);
     forAll(grid_.index(), celli)
     {
         nu_[block_.placeOf(celli)] = nu[celli];
@@ -94,18 +87,11 @@ void Foam::staggeredFlow::setViscosity(const volScalarField& nu,
         const label sa = block_.stride(g == 0 ? 1 : 0);
         const label sb = block_.stride(g == 2 ? 1 : 2);
         nuEdge_[g].resize(block_.size());
-        for (label k = 0; k <= box_.size.z(); ++k)
+        const label end = block_.place(box_.size);
+        for (label q = block_.place(0, 0, 0); q <= end; ++q)
         {
-            for (label j = 0; j <= box_.size.y(); ++j)
-            {
-                for (label i = 0; i <= box_.size.x(); ++i)
-                {
-                    const label q = block_.place(i, j, k);
-                    nuEdge_[g][q] =
-                        4 / (1 / nu_[q] + 1 / nu_[q - sa] + 1 / nu_[q - sb] +
-                             1 / nu_[q - sa - sb]);
-                }
-            }
+            nuEdge_[g][q] = 4 / (1 / nu_[q] + 1 / nu_[q - sa] +
+                                 1 / nu_[q - sb] + 1 / nu_[q - sa - sb]);
         }
     }
 }
@@ -129,8 +115,9 @@ void Foam::staggeredFlow::stopOnWalls()
     for (direction d = 0; d < 3; ++d)
     {
         if (!block_.wallBelow(d)) continue;
-        block_.layer(d, 0,
-                     [&](const labelVector& l) { u_[d][block_.place(l)] = 0; });
+        block_.layerPlaces(d, 0, [&](const label q) { u_[d][q] = 0; });
+        box_.layer(d, 0,
+                   [&](const label i) { increment()[d][i] = last_[d][i] = 0; });
     }
 }
 
@@ -150,17 +137,10 @@ void Foam::staggeredFlow::updateVelocity()
                 [&](const label at, const label inward, const scalar wall)
             {
                 const double tangential = c == d ? 0 : 1;
-                block_.layerRows(
+                block_.layerPlaces(
                     d, at,
-                    [&](const label q, const label step, const label n)
-                    {
-                        for (label i = 0; i < n; ++i)
-                        {
-                            u[q + i * step] =
-                                tangential *
-                                (2 * wall - u[q + i * step + inward]);
-                        }
-                    });
+                    [&](const label q)
+                    { u[q] = tangential * (2 * wall - u[q + inward]); });
             };
             if (block_.wallBelow(d)) mirror(-1, s, walls_[d][0][c]);
             if (block_.wallAbove(d)) mirror(box_.size[d], -s, walls_[d][1][c]);
@@ -170,14 +150,8 @@ void Foam::staggeredFlow::updateVelocity()
 
 Foam::staggeredView Foam::staggeredFlow::velocity() const
 {
-    staggeredView v;
-    v.row = block_.stride(1);
-    v.layer = block_.stride(2);
-    for (direction d = 0; d < 3; ++d)
-    {
-        v.first[d] = u_[d].cdata() + block_.place(0, 0, 0);
-    }
-    return v;
+    return staggeredView(u_, block_.place(0, 0, 0), block_.stride(1),
+                         block_.stride(2));
 }
 
 void Foam::staggeredFlow::velocity(staggeredField& u) const
@@ -274,14 +248,14 @@ void Foam::staggeredFlow::begin(const scalar dt)
     filled_ = false;
 
     wallsBefore_ = walls_;
+    wallsAfter_ = walls_;
     if (wallsChange_)
     {
         for (fvPatchVectorField& Ub : U_.boundaryFieldRef())
         {
-            if (Ub.coupled()) continue;
-            Ub.evaluate();
+            if (!Ub.coupled()) Ub.evaluate();
         }
-        const string reason(readWalls(U_, wallsAhead_));
+        const string reason(readWalls(U_, wallsAfter_));
         if (!reason.empty())
         {
             firstRankSpeaks();
@@ -291,7 +265,6 @@ void Foam::staggeredFlow::begin(const scalar dt)
                 << "; use flowAlgorithm pimple" << exit(FatalIOError);
         }
     }
-    wallsAfter_ = wallsAhead_;
 
     if (RK3_)
     {
@@ -323,24 +296,9 @@ void Foam::staggeredFlow::step(const scalar dt)
     }
 }
 
-Foam::staggeredFlow::snapshot Foam::staggeredFlow::save() const
+void Foam::staggeredFlow::restore(const staggeredState& s)
 {
-    return {u_,      last_,       pressure_, hasLast_, explicit_,
-            chosen_, transforms_, lastDt_,   walls_};
-}
-
-void Foam::staggeredFlow::restore(const snapshot& s)
-{
-    u_ = s.u;
-    last_ = s.last;
-    pressure_ = s.pressure;
-    hasLast_ = s.hasLast;
-    explicit_ = s.isExplicit;
-    chosen_ = s.chosen;
-    transforms_ = s.transforms;
-    lastDt_ = s.lastDt;
-    walls_ = s.walls;
-    wallsAhead_ = s.walls;
+    static_cast<staggeredState&>(*this) = s;
     rates_.clear();
     responseTo_ = -1;
     filled_ = false;

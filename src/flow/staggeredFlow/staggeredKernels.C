@@ -9,21 +9,6 @@ namespace
 {
 using namespace Foam;
 
-//- Call visit with std::true_type or std::false_type for each of some choices, which are so
-//  made outside its loops
-template<class Visit>
-void choose(Visit visit)
-{
-    visit();
-}
-template<class Visit, class... More>
-void choose(Visit visit, const bool first, const More... more)
-{
-    const auto with = [&](auto chosen)
-    { choose([&](auto... others) { visit(chosen, others...); }, more...); };
-    first ? with(std::true_type()) : with(std::false_type());
-}
-
 //- Terms of the momentum equation at place i of a row of cells, component D
 struct momentumRow
 {
@@ -79,14 +64,14 @@ struct momentumRow
         {
             const double *y = u[d] + i, *edge = nuEdge[3 - D - d] + i;
             const label t = step[d];
-            return per[d] *
-                   ((edge[t] - nu0) * (per[d] * (x[t] - x[0]) +
-                                       per[D] * (y[t] - y[t - s])) -
-                    (edge[0] - nu0) *
-                        (per[d] * (x[0] - x[-t]) + per[D] * (y[0] - y[-s])));
+            return per[d] * ((edge[t] - nu0) * (per[d] * (x[t] - x[0]) +
+                                                per[D] * (y[t] - y[t - s])) -
+                             (edge[0] - nu0) * (per[d] * (x[0] - x[-t]) +
+                                                per[D] * (y[0] - y[-s])));
         };
-        return 2 * sqr(per[D]) * ((centre[0] - nu0) * (x[s] - x[0]) -
-                                  (centre[-s] - nu0) * (x[0] - x[-s])) +
+        return 2 * sqr(per[D]) *
+                   ((centre[0] - nu0) * (x[s] - x[0]) -
+                    (centre[-s] - nu0) * (x[0] - x[-s])) +
                across((D + 1) % 3) + across((D + 2) % 3);
     }
 };
@@ -97,16 +82,14 @@ struct momentumRow
 // once, those of a layer wait for the next layer's. The components of a cell follow each
 // other: each flux that two of them share is computed once
 template<bool Convection, bool Variable, bool Implicit>
-void Foam::staggeredFlow::makeIncrements(const scalar dt, const stage& s,
-                                         const choice<Convection>,
-                                         const choice<Variable>,
-                                         const choice<Implicit>)
+void Foam::staggeredFlow::makeIncrements()
 {
     // nu L u is among the explicit terms or among the others
     constexpr bool among = !Implicit && !Variable;
     const double nu0 = Implicit ? nuMax_ : 0;
-    const double now = dt * s.now, before = dt * s.before, rest = dt * s.others,
-                 others = rest * nu0;
+    const stage& s = stages_[stage_];
+    const double now = stepDt_ * s.now, before = stepDt_ * s.before,
+                 rest = stepDt_ * s.others, others = rest * nu0;
     momentumRow all;
     all.nu0 = nu0;
     for (direction d = 0; d < 3; ++d)
@@ -161,36 +144,27 @@ void Foam::staggeredFlow::makeIncrements(const scalar dt, const stage& s,
         if (addsAtOnce() && k) addIncrements(k - 1);
     }
     if (addsAtOnce()) addIncrements(nz - 1);
-
-    // The velocity on a wall stays
-    for (direction d = 0; d < 3; ++d)
-    {
-        const auto stay = [&](const label i)
-        { increment()[d][i] = last_[d][i] = 0; };
-        if (block_.wallBelow(d)) box_.layer(d, 0, stay);
-    }
-    if (addsAtOnce()) stopOnWalls();
+    stopOnWalls();
 }
 
 // The increments of AB2 lie in place of the force, which is zero after the step
 void Foam::staggeredFlow::addIncrements(const label k)
 {
-    block_.rows(
-        k,
-        [&](const label q, const label n)
+    const auto addRow = [&](const label q, const label n)
+    {
+        for (direction d = 0; d < 3; ++d)
         {
-            for (direction d = 0; d < 3; ++d)
-            {
-                double* u = u_[d].data() + q;
-                double* change = increment()[d].data() + n;
+            double* u = u_[d].data() + q;
+            double* change = increment()[d].data() + n;
 #pragma GCC ivdep
-                for (label i = 0; i < box_.size.x(); ++i)
-                {
-                    u[i] += change[i];
-                    change[i] = 0;
-                }
+            for (label i = 0; i < box_.size.x(); ++i)
+            {
+                u[i] += change[i];
+                change[i] = 0;
             }
-        });
+        }
+    };
+    block_.rows(k, addRow);
 }
 
 // The acceleration, uniform in space, that brings the mean of the velocity to what
@@ -241,26 +215,18 @@ void Foam::staggeredFlow::holdMean(const direction c, const scalar dt)
 
 void Foam::staggeredFlow::predict()
 {
-    const stage& s = stages_[stage_];
     const auto timing(effects_.time("momentum"));
-    scalar passed = 0;
-    for (label i = 0; i <= stage_; ++i)
-    {
-        passed += stages_[i].others;
-    }
-    for (direction d = 0; d < 3; ++d)
-    {
-        for (label side = 0; side < 2 && stages_.size() > 1; ++side)
-        {
-            wallsAhead_[d][side] = (1 - passed) * wallsBefore_[d][side] +
-                                   passed * wallsAfter_[d][side];
-        }
-    }
     if (RK3_) *increment_ = force_;
     updateVelocity();
 
-    choose([&](auto... choices) { makeIncrements(stepDt_, s, choices...); },
-           convection_, variable(), !explicit_);
+    // What there is to do is chosen outside the loops
+    using self = staggeredFlow;
+    void (self::*const make[2][2][2])() = {
+        {{&self::makeIncrements<0, 0, 0>, &self::makeIncrements<0, 0, 1>},
+         {&self::makeIncrements<0, 1, 0>, &self::makeIncrements<0, 1, 1>}},
+        {{&self::makeIncrements<1, 0, 0>, &self::makeIncrements<1, 0, 1>},
+         {&self::makeIncrements<1, 1, 0>, &self::makeIncrements<1, 1, 1>}}};
+    (this->*make[convection_][variable()][!explicit_])();
 }
 
 // Of AB2 with explicit diffusion the velocity, which has the increments; else these,
@@ -272,14 +238,8 @@ Foam::velocityPrediction Foam::staggeredFlow::prediction()
     velocityPrediction p;
     if (addsAtOnce())
     {
-        staggeredTarget u;
-        u.row = block_.stride(1);
-        u.layer = block_.stride(2);
-        u.factor = dt;
-        for (direction d = 0; d < 3; ++d)
-        {
-            u.first[d] = u_[d].data() + block_.place(0, 0, 0);
-        }
+        const staggeredTarget u(u_, block_.place(0, 0, 0), block_.stride(1),
+                                block_.stride(2), dt);
         p = {{velocity()}, 0, {u}};
     }
     else
@@ -299,22 +259,29 @@ Foam::velocityPrediction Foam::staggeredFlow::prediction()
 void Foam::staggeredFlow::diffuse()
 {
     const scalar dt = stages_[stage_].others * stepDt_;
+    scalar passed = 0;
+    for (label i = 0; i <= stage_; ++i)
+    {
+        passed += stages_[i].others;
+    }
+    wallVelocities change;
+    for (direction d = 0; d < 3; ++d)
+    {
+        for (label side = 0; side < 2; ++side)
+        {
+            const vector ahead((1 - passed) * wallsBefore_[d][side] +
+                               passed * wallsAfter_[d][side]);
+            change[d][side] = ahead - walls_[d][side];
+            walls_[d][side] = ahead;
+        }
+    }
     if (!explicit_)
     {
         const auto timing(effects_.time("diffusion"));
-        wallVelocities change;
-        for (direction d = 0; d < 3; ++d)
-        {
-            for (label side = 0; side < 2; ++side)
-            {
-                change[d][side] = wallsAhead_[d][side] - walls_[d][side];
-            }
-        }
         staggeredField& x = increment();
         implicit_[transforms_]->solve({x[0].data(), x[1].data(), x[2].data()},
                                       0.5 * nuMax_ * dt, change);
     }
-    walls_ = wallsAhead_;
 
     const auto timing(effects_.time("momentum"));
     if (!addsAtOnce())
@@ -383,15 +350,8 @@ void Foam::staggeredFlow::project()
         });
     for (direction d = 0; d < 3; ++d)
     {
-        block_.layerRows(
-            d, -1,
-            [&](const label q, const label step, const label n)
-            {
-                for (label i = q; i < q + n * step; i += step)
-                {
-                    pressure_[i] += correction_[i];
-                }
-            });
+        block_.layerPlaces(
+            d, -1, [&](const label q) { pressure_[q] += correction_[q]; });
     }
     if (++stage_ < nStages()) return;
     gradient_ /= stepDt_;

@@ -11,10 +11,9 @@ defineTypeNameAndDebug(fastHelmholtzCache, 0);
 
 Foam::fastHelmholtz::fastHelmholtz(const uniformGrid& grid,
                                    const FixedList<sideConditions, 3>& sides,
-                                   const List<labelVector>& cells,
                                    const labelUList& places)
     : sides_(sides),
-      transform_(grid, sides, cells, places),
+      transform_(grid, sides, places),
       pieces_(transform_, sides[transform_.third].periodic),
       work_((2 * transform_.nPlanes + 3) * transform_.rowLength, 0),
       eigenOfFirst_(transform_.eigenFast)
@@ -242,7 +241,7 @@ Foam::fastHelmholtzCache::get(const FixedList<sideConditions, 3>& sides) const
         if (entry.first == code) return *entry.second;
     }
     const uniformGrid& grid = uniformGrid::New(this->mesh_);
-    kept_.emplace_back(code, std::unique_ptr<fastHelmholtz>(
-                                 new fastHelmholtz(grid, sides, grid.cells())));
+    kept_.emplace_back(
+        code, std::unique_ptr<fastHelmholtz>(new fastHelmholtz(grid, sides)));
     return *kept_.back().second;
 }

@@ -5,8 +5,14 @@
 Foam::haloBlock::haloBlock(const uniformGrid& grid)
     : grid_(grid),
       box_(grid.box()),
-      stride_(strides(box_.size))
+      stride_(strides(box_.size)),
+      places_(grid.index().size())
 {
+    forAll(places_, celli)
+    {
+        places_[celli] = place(grid.ijk(celli) - box_.lo);
+    }
+
     const List<cellBox> boxes(grid.allBoxes());
     DynamicList<label> rank, theirs, ours;
     const auto visit = [&](const labelVector& local)
@@ -85,16 +91,7 @@ void Foam::haloBlock::extend(scalar* f) const
     for (direction d = 0; d < 3; ++d)
     {
         const auto copy = [&](const label at, const label inward)
-        {
-            layerRows(d, at,
-                      [&](const label q, const label step, const label n)
-                      {
-                          for (label i = 0; i < n; ++i)
-                          {
-                              f[q + i * step] = f[q + i * step + inward];
-                          }
-                      });
-        };
+        { layerPlaces(d, at, [&](const label q) { f[q] = f[q + inward]; }); };
         if (wallBelow(d)) copy(-1, stride_[d]);
         if (wallAbove(d)) copy(box_.size[d], -stride_[d]);
     }

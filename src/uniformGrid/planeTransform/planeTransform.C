@@ -159,10 +159,10 @@ Foam::direction Foam::planeTransform::swept(const labelVector& n,
 
 Foam::planeTransform::planeTransform(const uniformGrid& grid,
                                      const FixedList<sideConditions, 3>& sides,
-                                     const List<labelVector>& cells,
                                      const labelUList& places)
     : plans_(new plans)
 {
+    const List<labelVector> cells(grid.cells());
     FixedList<bool, 3> periodic;
     for (direction d = 0; d < 3; ++d)
     {

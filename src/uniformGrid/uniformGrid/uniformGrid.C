@@ -159,6 +159,21 @@ void Foam::uniformGrid::require(const dictionary& dict, const string& who) const
     }
 }
 
+void Foam::uniformGrid::requirePeriodic(const dictionary& dict,
+                                        const string& who) const
+{
+    require(dict, who);
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (periodic_[d]) continue;
+        firstRankSpeaks();
+        FatalIOErrorInFunction(dict)
+            << who.c_str() << " needs a box that is periodic in all "
+            << "directions, but " << vector::componentNames[d] << " is not"
+            << exit(FatalIOError);
+    }
+}
+
 void Foam::uniformGrid::toStaggered(const surfaceScalarField& phi,
                                     staggeredField& u) const
 {

@@ -11,7 +11,7 @@ TEST(PlaneTransform, thereAndBack)
     scalar worst = 0;
     for (unsigned code = 0; code < 4; ++code)
     {
-        planeTransform transform(grid(), conditions(code), cells);
+        planeTransform transform(grid(), conditions(code));
         scalarField x(cells.size()), back(cells.size());
         forAll(x, i)
         {
@@ -32,7 +32,7 @@ TEST(PlaneTransform, waveIsOneMode)
     for (unsigned code = 0; code < 4; ++code)
     {
         const auto sides(conditions(code));
-        planeTransform transform(grid(), sides, cells);
+        planeTransform transform(grid(), sides);
         const waves w(sides);
         scalarField x(cells.size());
         forAll(x, i)
