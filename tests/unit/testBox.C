@@ -1,13 +1,13 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "testBox.H"
-#include "fixedValueFvPatchFields.H"
 #include "zeroGradientFvPatchFields.H"
 
 using namespace Foam;
 
 test::box::box(const labelVector& n, const vector& length,
-               const FixedList<bool, 3>& walls, const scalar viscosity)
+               const FixedList<bool, 3>& walls, const scalar viscosity,
+               const word& wallType)
 {
     const auto point = [&](label i, label j, label k)
     { return i + (n.x() + 1) * (j + (n.y() + 1) * k); };
@@ -110,8 +110,7 @@ test::box::box(const labelVector& n, const vector& length,
         if (!wall) dict.add("neighbourPatch", names[i ^ 1]);
         patches[i] =
             polyPatch::New(names[i], dict, i, mesh_->boundaryMesh()).ptr();
-        forU[i] =
-            wall ? fixedValueFvPatchVectorField::typeName : word("cyclic");
+        forU[i] = wall ? wallType : word("cyclic");
         forP[i] =
             wall ? zeroGradientFvPatchScalarField::typeName : word("cyclic");
     }

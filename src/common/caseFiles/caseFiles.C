@@ -251,6 +251,15 @@ void Foam::requireBrackets(const IOobject& io, const word& className)
                          << exit(FatalError);
 }
 
+std::unique_ptr<Foam::IOdictionary> Foam::stateOfTime(const objectRegistry& db,
+                                                      const word& name)
+{
+    const IOobject io(name, db.time().timeName(), "uniform", db,
+                      IOobject::MUST_READ, IOobject::NO_WRITE, false);
+    return std::unique_ptr<IOdictionary>(
+        isThere<IOdictionary>(io) ? new IOdictionary(io) : nullptr);
+}
+
 Foam::fileName Foam::misplacedFile(const IOobject& io)
 {
     fileName found;

@@ -120,3 +120,11 @@ Foam::string Foam::oneOf(const wordList& words)
     }
     return "(" + all + ")";
 }
+
+Foam::word Foam::readWord(const dictionary& dict, const word& name,
+                          const wordList& words, const word& otherwise)
+{
+    const word value(dict.getOrDefault<word>(name, otherwise));
+    if (!words.found(value)) refuse(dict, name, value, oneOf(words));
+    return value;
+}

@@ -2,8 +2,6 @@
 
 #include "lastStep.H"
 #include "caseFiles.H"
-#include "IOdictionary.H"
-#include "Time.H"
 
 namespace
 {
@@ -12,10 +10,8 @@ using namespace Foam;
 //- A file of uniform/, or nothing
 dictionary dictionaryOf(const Time& time, const word& name)
 {
-    const IOobject io(name, time.timeName(), "uniform", time,
-                      IOobject::MUST_READ, IOobject::NO_WRITE, false);
-    return isThere<IOdictionary>(io) ? dictionary(IOdictionary(io))
-                                     : dictionary();
+    const auto dict = stateOfTime(time, name);
+    return dict ? dictionary(*dict) : dictionary();
 }
 
 //- Time has no function for this
@@ -26,23 +22,16 @@ struct purgeable : public Time
 } // namespace
 
 Foam::lastStep::lastStep(const Time& time)
-    : regIOobject(IOobject("lastStep", time.timeName(), "uniform", time,
-                           IOobject::NO_READ, IOobject::AUTO_WRITE))
+    : writtenObject<IOdictionary>("lastStep", "uniform", time,
+                                  [this](Ostream& os)
+                                  {
+                                      os.precision(17);
+                                      os.writeEntry("deltaT",
+                                                    this->time().deltaTValue());
+                                      if (diverged_.empty()) return;
+                                      os.writeEntry("diverged", diverged_);
+                                  })
 {
-}
-
-const Foam::word& Foam::lastStep::type() const
-{
-    return IOdictionary::typeName;
-}
-
-bool Foam::lastStep::writeData(Ostream& os) const
-{
-    const int precision = os.precision(17);
-    os.writeEntry("deltaT", time().deltaTValue());
-    os.precision(precision);
-    if (!diverged_.empty()) os.writeEntry("diverged", diverged_);
-    return os.good();
 }
 
 Foam::scalar Foam::lastStep::read(const Time& time)

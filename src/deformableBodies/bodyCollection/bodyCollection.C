@@ -1,12 +1,12 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "bodyCollection.H"
-#include "bodyForceField.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
 #include "fvc.H"
 #include "repeatedDictionary.H"
 #include "sceneNumbers.H"
+#include "writtenObject.H"
 
 namespace Foam
 {
@@ -79,7 +79,10 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
     places_.reset(
         new bodyPlaces(mesh, groups_, *markers_, interactions_.get()));
     places_->checkStart(dict);
-    forceField_.reset(new bodyForceField(mesh, *this));
+    forceField_.reset(new writtenObject<volVectorField>(
+        "bodyForce", "", mesh,
+        [this](Ostream& os) { fluidForce()().writeData(os); },
+        IOobject::NO_WRITE));
     const bool wrap = dict.getOrDefault<bool>("wrap", false);
     writer_.reset(
         new bodyWriter(mesh, groups_, effects_,

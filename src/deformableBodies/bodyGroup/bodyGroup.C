@@ -121,15 +121,8 @@ Foam::bodyGroup::nearFieldEntry
 Foam::bodyGroup::readNearField(const dictionary& dict, const string& never,
                                const scalar errorWithout) const
 {
-    enum choice
-    {
-        AUTO,
-        ON,
-        OFF
-    };
-    const choice wanted =
-        readEnum(Enum<choice>({{AUTO, "auto"}, {ON, "on"}, {OFF, "off"}}), dict,
-                 "nearField", AUTO);
+    const word wanted(
+        readWord(dict, "nearField", {"auto", "on", "off"}, "auto"));
     string whyNot(never);
     const vector& h = scene_.grid.h();
     if (whyNot.empty() && cmptMax(h) > 1.001 * cmptMin(h))
@@ -140,18 +133,18 @@ Foam::bodyGroup::readNearField(const dictionary& dict, const string& never,
     {
         whyNot = "the solver takes the force as an average of each cell";
     }
-    if (wanted == ON && !whyNot.empty())
+    if (wanted == "on" && !whyNot.empty())
     {
         refuse(dict, "nearField", "on", "auto or off: " + whyNot);
     }
-    if (wanted == OFF) whyNot = "off";
+    if (wanted == "off") whyNot = "off";
     const scalar error = scene_.accuracy.wanted;
-    if (wanted == AUTO && whyNot.empty() && errorWithout >= 0 &&
+    if (wanted == "auto" && whyNot.empty() && errorWithout >= 0 &&
         errorWithout <= 0.6 * error)
     {
         whyNot = "accuracy " + Foam::name(error) + " needs none";
     }
-    return {wanted == ON, wanted == AUTO && whyNot.empty(), whyNot};
+    return {wanted == "on", wanted == "auto" && whyNot.empty(), whyNot};
 }
 
 void Foam::bodyGroup::addWeight(const bool on, const scalar excess)

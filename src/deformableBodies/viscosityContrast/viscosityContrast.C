@@ -3,22 +3,6 @@
 #include "viscosityContrast.H"
 #include "fvcDiv.H"
 
-namespace
-{
-using namespace Foam;
-
-fastHelmholtz& zeroOnWalls(const fvMesh& mesh, const uniformGrid& grid)
-{
-    FixedList<sideConditions, 3> sides;
-    for (direction d = 0; d < 3; ++d)
-    {
-        sides[d].periodic = grid.periodic(d);
-        sides[d].lowerDirichlet = sides[d].upperDirichlet = !grid.periodic(d);
-    }
-    return fastHelmholtzCache::New(mesh).get(sides);
-}
-} // namespace
-
 Foam::viscosityContrast::viscosityContrast(const fvMesh& mesh, const scalar nu0,
                                            const scalarList& ratios)
     : mesh_(mesh),
@@ -26,7 +10,7 @@ Foam::viscosityContrast::viscosityContrast(const fvMesh& mesh, const scalar nu0,
       nu0_(nu0),
       lowest_(nu0 * min(scalar(1), min(ratios))),
       highest_(nu0 * max(scalar(1), max(ratios))),
-      poisson_(zeroOnWalls(mesh, grid_))
+      poisson_(fastHelmholtzCache::New(mesh).get(sidesOf(grid_, true)))
 {
 }
 

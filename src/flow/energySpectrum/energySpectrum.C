@@ -36,16 +36,13 @@ bool Foam::functionObjects::energySpectrum::read(const dictionary& dict)
     writeFile::read(dict);
 
     grid_.requirePeriodic(dict, typeName);
-    sideConditions periodic;
-    periodic.periodic = true;
-    const FixedList<sideConditions, 3> sides(periodic);
     phiName_ = dict.getOrDefault<word>("phi", "phi");
     const IOdictionary transport(
         IOobject("transportProperties", mesh_.time().constant(), mesh_,
                  IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false));
     nu_ = readPositive(dict.found("nu") ? dict : transport, "nu", dimViscosity);
 
-    transform_.reset(new planeTransform(grid_, sides, grid_.index()));
+    transform_.reset(new planeTransform(grid_, sidesOf(grid_), grid_.index()));
     dk_ = constant::mathematical::twoPi / cmptMax(grid_.length());
     return true;
 }

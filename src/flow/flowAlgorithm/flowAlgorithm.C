@@ -6,39 +6,16 @@
 #include "staggeredFlow.H"
 
 Foam::flowAlgorithm::flowAlgorithm(const dictionary& controls,
-                                   const string& obstacle)
+                                   const std::function<string()>& obstacle)
 {
-    enum algorithmType
-    {
-        AUTO,
-        STAGGERED,
-        PIMPLE
-    };
-    const Enum<algorithmType> words(
-        {{AUTO, "auto"}, {STAGGERED, "staggered"}, {PIMPLE, "pimple"}});
-    const algorithmType asked =
-        readEnum(words, controls, "flowAlgorithm", AUTO);
-
-    reason_ = asked == PIMPLE ? string("flowAlgorithm pimple") : obstacle;
-    if (asked == STAGGERED && !obstacle.empty())
+    const word asked(readWord(controls, "flowAlgorithm",
+                              {"auto", "staggered", "pimple"}, "auto"));
+    reason_ = asked == "pimple" ? "flowAlgorithm pimple" : obstacle();
+    if (asked == "staggered" && !staggered())
     {
         refuse(controls, "flowAlgorithm", "staggered",
-               "pimple or auto here, as " + obstacle);
+               "pimple or auto here, as " + reason_);
     }
-}
-
-Foam::flowAlgorithm::flowAlgorithm(const dictionary& controls,
-                                   const volVectorField& U,
-                                   const volScalarField& p,
-                                   const fv::optionList& sources,
-                                   const word& transport,
-                                   const word& turbulence)
-    : flowAlgorithm(controls,
-                    controls.getOrDefault<word>("flowAlgorithm", "auto") ==
-                            "pimple"
-                        ? string()
-                        : obstacle(U, p, sources, transport, turbulence))
-{
 }
 
 Foam::string Foam::flowAlgorithm::obstacle(const volVectorField& U,
@@ -66,23 +43,22 @@ Foam::string Foam::flowAlgorithm::obstacle(const volVectorField& U,
 void Foam::flowAlgorithm::checkControls(const dictionary& controls,
                                         const dictionary& schemes) const
 {
-    const wordList own({"flowAlgorithm", "timeScheme", "diffusion",
-                        "convection", "pRefCell", "pRefPoint", "pRefValue"});
-    const wordList ofPimple({"nOuterCorrectors", "nCorrectors",
-                             "nNonOrthogonalCorrectors", "momentumPredictor",
-                             "residualControl", "solveFlow", "SIMPLErho",
-                             "turbOnFinalIterOnly", "transonic", "consistent",
-                             "frozenFlow", "correctPhi", "checkMeshCourantNo",
-                             "moveMeshOuterCorrectors", "ddtCorr"});
+    // Entries of its own, and those of pimple
+    wordList known({"flowAlgorithm", "timeScheme", "diffusion", "convection",
+                    "pRefCell", "pRefPoint", "pRefValue"});
+    known.append(
+        wordList({"nOuterCorrectors", "nCorrectors", "nNonOrthogonalCorrectors",
+                  "momentumPredictor", "residualControl", "solveFlow",
+                  "SIMPLErho", "turbOnFinalIterOnly", "transonic", "consistent",
+                  "frozenFlow", "correctPhi", "checkMeshCourantNo",
+                  "moveMeshOuterCorrectors", "ddtCorr"}));
     wordList unknown;
     for (const word& name : controls.toc())
     {
-        if (!own.found(name) && !ofPimple.found(name)) unknown.append(name);
+        if (!known.found(name)) unknown.append(name);
     }
     if (unknown.size())
     {
-        wordList known(own);
-        known.append(ofPimple);
         IOWarningInFunction(controls)
             << "unknown entries, which have no effect: "
             << oneOf(unknown).c_str() << nl << "    known are "

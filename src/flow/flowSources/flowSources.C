@@ -4,8 +4,8 @@
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
 #include "fvMatrices.H"
-#include "IOdictionary.H"
 #include "resultFile.H"
+#include "writtenObject.H"
 
 namespace
 {
@@ -46,47 +46,6 @@ direction axisOf(const vector& v)
     return 3;
 }
 } // namespace
-
-// In the file and by the entry in which OpenFOAM's own option keeps it
-struct Foam::flowSources::gradientOfRun : public regIOobject
-{
-    //- Along Ubar
-    scalar value = 0;
-
-    //- Was the mean held in the last step?
-    bool held = false;
-
-    gradientOfRun(const word& option, const fvMesh& mesh)
-        : regIOobject(IOobject(option + "Properties", mesh.time().timeName(),
-                               "uniform", mesh, IOobject::NO_READ,
-                               IOobject::AUTO_WRITE))
-    {
-        const IOobject io(name(), instance(), local(), mesh,
-                          IOobject::MUST_READ, IOobject::NO_WRITE, false);
-        if (isThere<IOdictionary>(io))
-        {
-            const IOdictionary dict(io);
-            value = dict.get<scalar>("gradient");
-            held = dict.getOrDefault<bool>("held", true);
-        }
-    }
-
-    virtual const word& type() const { return IOdictionary::typeName; }
-
-    //- The same on all ranks
-    virtual bool global() const { return true; }
-
-    virtual bool writeData(Ostream& os) const
-    {
-        const int precision = os.precision(17);
-        os.writeEntry("gradient", value);
-        os.writeEntry("held", Switch(held));
-        os.precision(precision);
-        return os.good();
-    }
-};
-
-Foam::flowSources::~flowSources() = default;
 
 Foam::string Foam::flowSources::unsupported(const fv::option& o,
                                             const volVectorField& U)
@@ -202,7 +161,23 @@ Foam::flowSources::flowSources(fv::optionList& options, volVectorField& U,
         {
             held_ = &o;
             Ubar_ = o.coeffs().get<vector>("Ubar");
-            gradient_.reset(new gradientOfRun(o.name(), U.mesh()));
+
+            // In the file and by the entry in which OpenFOAM's own option keeps it
+            const word name(o.name() + "Properties");
+            const auto before = stateOfTime(U.mesh(), name);
+            if (before)
+            {
+                gradient_ = before->get<scalar>("gradient");
+                wasHeld_ = before->getOrDefault<bool>("held", true);
+            }
+            state_.reset(new writtenObject<IOdictionary>(
+                name, "uniform", U.mesh(),
+                [this](Ostream& os)
+                {
+                    os.precision(17);
+                    os.writeEntry("gradient", gradient_);
+                    os.writeEntry("held", Switch(wasHeld_));
+                }));
             if (Pstream::master())
             {
                 file_ =
@@ -223,16 +198,13 @@ void Foam::flowSources::add()
     if (held_ && held_->isActive())
     {
         const direction d = axisOf(Ubar_);
-        flow_.hold(d, Ubar_[d], sign(Ubar_[d]) * gradient_->value);
+        flow_.hold(d, Ubar_[d], sign(Ubar_[d]) * gradient_);
     }
     else
     {
         flow_.release();
-        if (held_)
-        {
-            gradient_->value = 0;
-            gradient_->held = false;
-        }
+        gradient_ = 0;
+        wasHeld_ = false;
     }
     if (forcings_.empty() && explicit_.empty()) return;
 
@@ -262,9 +234,9 @@ void Foam::flowSources::report()
     if (!held_ || !held_->isActive()) return;
 
     // In its first step it has to bring the flow to this mean, once
-    gradient_->value =
-        gradient_->held ? sign(Ubar_[axisOf(Ubar_)]) * flow_.meanGradient() : 0;
-    gradient_->held = true;
+    gradient_ =
+        wasHeld_ ? sign(Ubar_[axisOf(Ubar_)]) * flow_.meanGradient() : 0;
+    wasHeld_ = true;
     Info << "Pressure gradient source: uncorrected Ubar = "
          << flow_.meanBefore()
          << ", pressure gradient = " << flow_.meanGradient() << endl;

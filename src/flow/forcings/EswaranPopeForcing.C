@@ -4,7 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
-#include "IOdictionary.H"
+#include "writtenObject.H"
 
 namespace Foam
 {
@@ -14,38 +14,6 @@ defineTypeNameAndDebug(EswaranPopeForcing, 0);
 addToRunTimeSelectionTable(option, EswaranPopeForcing, dictionary);
 } // namespace fv
 } // namespace Foam
-
-struct Foam::fv::EswaranPopeForcing::state : public regIOobject
-{
-    const EswaranPopeForcing& forcing_;
-
-    state(const EswaranPopeForcing& f, const fvMesh& mesh)
-        : regIOobject(IOobject(f.name(), mesh.time().timeName(), "uniform",
-                               mesh, IOobject::NO_READ, IOobject::AUTO_WRITE)),
-          forcing_(f)
-    {
-    }
-
-    virtual const word& type() const { return IOdictionary::typeName; }
-
-    //- The same on all ranks
-    virtual bool global() const { return true; }
-
-    virtual bool writeData(Ostream& os) const
-    {
-        scalarField values;
-        for (const complexNumber& b : forcing_.b_)
-        {
-            values.append(b.real());
-            values.append(b.imag());
-        }
-        const int precision = os.precision(17);
-        os.writeEntry("steps", forcing_.steps_);
-        values.writeEntry("values", os);
-        os.precision(precision);
-        return os.good();
-    }
-};
 
 Foam::fv::EswaranPopeForcing::EswaranPopeForcing(const word& name,
                                                  const word& modelType,
@@ -89,14 +57,12 @@ Foam::fv::EswaranPopeForcing::EswaranPopeForcing(const word& name,
     deviation_ = acceleration / std::sqrt(2.0 * modes.size());
 
     b_.resize(3 * modes.size());
-    IOobject io(name, mesh.time().timeName(), "uniform", mesh,
-                IOobject::MUST_READ, IOobject::NO_WRITE, false);
-    if (isThere<IOdictionary>(io))
+    const auto old = stateOfTime(mesh, name);
+    if (old)
     {
-        const IOdictionary old(io);
-        const scalarField values("values", old,
+        const scalarField values("values", *old,
                                  label(2 * b_.size())); // checks the size
-        steps_ = old.get<label>("steps");
+        steps_ = old->get<label>("steps");
         for (size_t i = 0; i < b_.size(); ++i)
         {
             b_[i] = complexNumber(values[2 * i], values[2 * i + 1]);
@@ -109,11 +75,21 @@ Foam::fv::EswaranPopeForcing::EswaranPopeForcing(const word& name,
             b_[i] = random(i);
         }
     }
-    state_.reset(new state(*this, mesh));
+    const auto write = [this](Ostream& os)
+    {
+        scalarField values;
+        for (const complexNumber& b : b_)
+        {
+            values.append(b.real());
+            values.append(b.imag());
+        }
+        os.precision(17);
+        os.writeEntry("steps", steps_);
+        values.writeEntry("values", os);
+    };
+    state_.reset(new writtenObject<IOdictionary>(name, "uniform", mesh, write));
     project();
 }
-
-Foam::fv::EswaranPopeForcing::~EswaranPopeForcing() {}
 
 // Two normal deviates (Box & Muller) from a hash of seed, step and number (the
 // finaliser of splitmix64)

@@ -8,19 +8,14 @@ Foam::implicitDiffusion::implicitDiffusion(const uniformGrid& grid,
 {
     for (direction c = 0; c < 3; ++c)
     {
-        FixedList<sideConditions, 3> sides;
-        for (direction d = 0; d < 3; ++d)
+        for (direction d = 0; d < 3 && !byFFT; ++d)
         {
-            sides[d].periodic = grid.periodic(d);
-            sides[d].faces = !grid.periodic(d) && c == d;
-            sides[d].lowerDirichlet = sides[d].upperDirichlet =
-                !grid.periodic(d) && c != d;
-            if (!byFFT) lines_[c][d].reset(new lineSolver(grid, d, c == d));
+            lines_[c][d].reset(new lineSolver(grid, d, c == d));
         }
-        if (byFFT)
-        {
-            transforms_[c].reset(new fastHelmholtz(grid, sides, grid.index()));
-        }
+        if (!byFFT) continue;
+        FixedList<sideConditions, 3> sides(sidesOf(grid, true));
+        sides[c].faces = !grid.periodic(c);
+        transforms_[c].reset(new fastHelmholtz(grid, sides, grid.index()));
     }
 }
 
@@ -33,7 +28,7 @@ void Foam::implicitDiffusion::byLines(const FixedList<scalar*, 3>& x,
 {
     // Factors with walls that change do not commute: what one adds only the later ones see
     const bool resting = change == wallVelocities(FixedList<vector, 2>(Zero));
-    FixedList<direction, 3> order({0, 1, 2}), next({0, 0, 0});
+    FixedList<direction, 3> order({0, 1, 2});
     label n = 0;
     for (const bool waits : {true, false})
     {
@@ -43,33 +38,24 @@ void Foam::implicitDiffusion::byLines(const FixedList<scalar*, 3>& x,
         }
     }
 
-    // To the end of a component, or to a direction that waits
-    const auto advance = [&](const direction c)
+    // The first direction, and each after one that waits, or the end
+    for (label first = 0; first <= 3; ++first)
     {
-        lineSolver* earlier = nullptr;
-        if (next[c] > 0)
-        {
-            earlier = lines_[c][order[next[c] - 1]].get();
-            earlier->receive();
-        }
-        while (next[c] < 3)
-        {
-            const direction d = order[next[c]++];
-            lineSolver& lines = *lines_[c][d];
-            lines.begin(x[c], b / sqr(grid_.h()[d]), change[d][0][c],
-                        change[d][1][c], earlier);
-            if (lines.waits()) return false;
-            earlier = nullptr;
-        }
-        if (earlier) earlier->correct(x[c]);
-        return true;
-    };
-    FixedList<bool, 3> done({!x[0], !x[1], !x[2]});
-    while (!(done[0] && done[1] && done[2]))
-    {
+        if (first && !lines_[0][order[first - 1]]->waits()) continue;
         for (direction c = 0; c < 3; ++c)
         {
-            done[c] = done[c] || advance(c);
+            if (!x[c]) continue;
+            lineSolver* earlier =
+                first ? lines_[c][order[first - 1]].get() : nullptr;
+            if (first == 3) earlier->finish(x[c]);
+            for (label i = first; i < 3; ++i)
+            {
+                const direction d = order[i];
+                lines_[c][d]->begin(x[c], b / sqr(grid_.h()[d]),
+                                    change[d][0][c], change[d][1][c], earlier);
+                if (lines_[c][d]->waits()) break;
+                earlier = nullptr;
+            }
         }
     }
 }

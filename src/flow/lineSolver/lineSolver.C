@@ -123,14 +123,14 @@ Foam::lineSolver::lineSolver(const uniformGrid& grid, const direction dir,
     }
     begins_.append(grid.n()[dir]);
     coupled_ = periodic_ || nPieces > 1;
-    if (returnReduce(nPieces, maxOp<label>()) == 1) return;
-
     const label nLines = box_.count() / box_.size[dir];
-    sent_.resize(2 * nLines);
-    received_.resize(2 * nLines * nPieces);
+    ends_.resize(2 * nLines);
     before_.resize(nLines);
     after_.resize(nLines);
-    labelList rank(received_.size()), place(rank.size()), source(rank.size());
+    if (returnReduce(nPieces, maxOp<label>()) == 1) return;
+
+    allEnds_.resize(2 * nLines * nPieces);
+    labelList rank(allEnds_.size()), place(rank.size()), source(rank.size());
     for (label p = 0, k = 0; p < nPieces; ++p)
     {
         for (label i = 0; i < 2 * nLines; ++i, ++k)
@@ -331,51 +331,46 @@ void Foam::lineSolver::begin(double* x, const double beta, const double lower,
     double* swept = x;
     if (toLines_)
     {
-        if (earlier) earlier->correct(x);
+        if (earlier) earlier->finish(x);
         earlier = nullptr;
         swept = whole_.data();
         toLines_->forward(x, swept);
     }
+    if (earlier) earlier->receive();
 
     const bool given = !periodic_ && !faces_;
     const label end = box_.lo[dir_] + box_.size[dir_];
     const double lo = given && box_.lo[dir_] == 0 ? 2 * beta * lower : 0;
     const double up = given && end == begins_.last() ? 2 * beta * upper : 0;
     const label last = box_.size[dir_] - 1, nLines = before_.size();
-    double ends[2 * 64], before[64], after[64];
     parts(swept, earlier,
           [&](double* y, const label m, const label stride, const label line)
           {
               sweep(y, m, stride, lo, up);
-              if (exchange_)
-              {
-                  std::copy_n(y, m, sent_.data() + line);
-                  std::copy_n(y + last * stride, m,
-                              sent_.data() + nLines + line);
-                  return;
-              }
-              for (label i = 0; coupled_ && i < m; i += 64)
-              {
-                  const label some = min(label(64), m - i);
-                  std::copy_n(y + i, some, ends);
-                  std::copy_n(y + last * stride + i, some, ends + 64);
-                  beyond(ends, 64, some, before, after);
-                  correct(y + i, some, stride, before, after);
-              }
+              if (!coupled_) return;
+              double* ends = ends_.data() + (exchange_ ? line : 0);
+              std::copy_n(y, m, ends);
+              std::copy_n(y + last * stride, m, ends + nLines);
+              if (exchange_) return;
+
+              // Periodic lines on one rank are their own neighbours: a part at a time
+              beyond(ends, nLines, m, before_.data(), after_.data());
+              correct(y, m, stride, before_.data(), after_.data());
           });
-    if (exchange_) exchange_->startForward(sent_.data());
+    if (exchange_) exchange_->startForward(ends_.data());
     if (toLines_) toLines_->backward(swept, x);
 }
 
 void Foam::lineSolver::receive()
 {
     const label nLines = before_.size();
-    exchange_->finishForward(sent_.data(), received_.data());
-    beyond(received_.data(), nLines, nLines, before_.data(), after_.data());
+    exchange_->finishForward(ends_.data(), allEnds_.data());
+    beyond(allEnds_.data(), nLines, nLines, before_.data(), after_.data());
 }
 
-void Foam::lineSolver::correct(double* x)
+void Foam::lineSolver::finish(double* x)
 {
+    receive();
     parts(x, nullptr,
           [&](double* y, const label m, const label stride, const label line) {
               correct(y, m, stride, before_.data() + line,

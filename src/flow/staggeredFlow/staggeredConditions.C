@@ -4,8 +4,6 @@
 
 #include "staggeredFlow.H"
 #include "dictionaryChecks.H"
-#include "fixedValueFvPatchFields.H"
-#include "zeroGradientFvPatchFields.H"
 
 namespace
 {
@@ -21,25 +19,13 @@ const wordList coded({"codedFixedValue", "exprFixedValue"});
 //- A jump across a periodic side, for one, is a type of its own
 const wordList ofCyclic({"cyclic", "processor", "processorCyclic"});
 
-string unknownU(const fvPatchVectorField& Ub)
+//- A sentence where a condition is of a type that is not known
+template<class Condition>
+string unknown(const Condition& f, const wordList& ofWalls, const string& known)
 {
-    const bool known = Ub.coupled()
-                           ? ofCyclic.found(Ub.type())
-                           : ofTime.found(Ub.type()) || coded.found(Ub.type());
-    if (known) return string::null;
-    return "of conditions for U it knows cyclic and fixed velocities of walls; "
-           "it is " +
-           Ub.type() + " on patch " + Ub.patch().name();
-}
-
-string unknownP(const fvPatchScalarField& pb)
-{
-    const bool known =
-        pb.coupled() ? ofCyclic.found(pb.type())
-                     : pb.type() == zeroGradientFvPatchScalarField::typeName;
-    if (known) return string::null;
-    return "of conditions for p it knows cyclic and zeroGradient; it is " +
-           pb.type() + " on patch " + pb.patch().name();
+    if ((f.coupled() ? ofCyclic : ofWalls).found(f.type())) return string::null;
+    return "of conditions for " + known + "; it is " + f.type() + " on patch " +
+           f.patch().name();
 }
 } // namespace
 
@@ -58,19 +44,23 @@ Foam::string Foam::staggeredFlow::unsupported(const volVectorField& U,
         }
     }
 
+    wordList ofWalls(ofTime);
+    ofWalls.append(coded);
     string reason;
     forAll(U.boundaryField(), patchi)
     {
-        if (reason.empty()) reason = unknownU(U.boundaryField()[patchi]);
-        if (reason.empty()) reason = unknownP(p.boundaryField()[patchi]);
+        if (reason.empty())
+            reason = unknown(U.boundaryField()[patchi], ofWalls,
+                             "U it knows cyclic and fixed velocities of walls");
+        if (reason.empty())
+            reason = unknown(p.boundaryField()[patchi], {"zeroGradient"},
+                             "p it knows cyclic and zeroGradient");
     }
     reason = firstOf(reason);
     if (!reason.empty()) return reason;
 
     // What the file says of conditions that compute their values may be old
-    volVectorField now(IOobject("wallVelocity", U.instance(), U.mesh(),
-                                IOobject::NO_READ, IOobject::NO_WRITE, false),
-                       U);
+    volVectorField now(U);
     for (fvPatchVectorField& Ub : now.boundaryFieldRef())
     {
         if (!Ub.coupled()) Ub.evaluate();
@@ -111,8 +101,8 @@ Foam::string Foam::staggeredFlow::readWalls(const volVectorField& U,
                                             wallVelocities& walls)
 {
     const uniformGrid& grid = uniformGrid::New(U.mesh());
-    const FixedList<vector, 2> great(vector::max), minusGreat(vector::min);
-    wallVelocities least(great), largest(minusGreat);
+    const FixedList<vector, 2> great(vector::rootMax), low(vector::rootMin);
+    wallVelocities least(great), largest(low);
     for (const fvPatchVectorField& Ub : U.boundaryField())
     {
         if (Ub.coupled()) continue;
@@ -127,35 +117,23 @@ Foam::string Foam::staggeredFlow::readWalls(const volVectorField& U,
     }
     for (direction d = 0; d < 3; ++d)
     {
-        for (label side = 0; side < 2; ++side)
+        walls[d] = vector::zero;
+        for (label side = 0; side < 2 && !grid.periodic(d); ++side)
         {
             const vector lo(returnReduce(least[d][side], minOp<vector>()));
             const vector hi(returnReduce(largest[d][side], maxOp<vector>()));
-            if (grid.periodic(d))
-            {
-                walls[d][side] = Zero;
-                continue;
-            }
-            walls[d][side] = hi;
-            const string where =
-                string(side ? " on the upper" : " on the lower") + " side in " +
-                vector::componentNames[d];
-            if (hi.x() < lo.x())
-            {
-                return "there is no velocity" + where;
-            }
             const scalar tolerance = VSMALL + 1e-8 * max(mag(lo), mag(hi));
-            if (mag(hi - lo) > tolerance)
-            {
-                return "the velocity of a wall must be uniform, and it is not" +
-                       where;
-            }
-            if (mag(hi[d]) > tolerance)
-            {
-                return "the velocity of a wall must be tangential, and it is "
-                       "not" +
-                       where;
-            }
+            walls[d][side] = hi;
+            const char* wrong =
+                hi.x() < lo.x() ? "there is no velocity"
+                : mag(hi - lo) > tolerance
+                    ? "the velocity of a wall must be uniform, and it is not"
+                : mag(hi[d]) > tolerance
+                    ? "the velocity of a wall must be tangential, and it is not"
+                    : nullptr;
+            if (!wrong) continue;
+            return wrong + string(side ? " on the upper" : " on the lower") +
+                   " side in " + vector::componentNames[d];
         }
     }
     return string::null;

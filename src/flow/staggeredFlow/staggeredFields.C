@@ -4,40 +4,7 @@
 
 #include "staggeredFlow.H"
 #include "lastStep.H"
-
-// last_ as an OpenFOAM field, made only when it is written
-struct Foam::staggeredFlow::history : public regIOobject
-{
-    const staggeredFlow& flow_;
-
-    explicit history(const staggeredFlow& flow)
-        : regIOobject(IOobject(historyName(flow.explicit_),
-                               flow.mesh_.time().timeName(), flow.mesh_,
-                               IOobject::NO_READ, IOobject::AUTO_WRITE)),
-          flow_(flow)
-    {
-    }
-
-    virtual const word& type() const { return volVectorField::typeName; }
-
-    virtual bool writeData(Ostream& os) const
-    {
-        volVectorField field(
-            IOobject("last", time().timeName(), flow_.mesh_, IOobject::NO_READ,
-                     IOobject::NO_WRITE, false),
-            flow_.mesh_, dimensionedVector(dimAcceleration, Zero));
-        const labelList& index = flow_.grid_.index();
-        forAll(index, celli)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                field[celli][d] = flow_.last_[d][index[celli]];
-            }
-        }
-        field.correctBoundaryConditions();
-        return field.writeData(os);
-    }
-};
+#include "writtenObject.H"
 
 Foam::word Foam::staggeredFlow::historyName(const bool isExplicit)
 {
@@ -63,26 +30,36 @@ void Foam::staggeredFlow::readState()
         explicit_ = isExplicit;
         hasLast_ = true;
     }
-    if (!RK3_) history_.reset(new history(*this));
+    const auto writeLast = [this](Ostream& os)
+    {
+        const auto made = volVectorField::New(
+            "last", mesh_, dimensionedVector(dimAcceleration, Zero));
+        volVectorField& field = made.ref();
+        forAll(field, celli)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                field[celli][d] = last_[d][grid_.index()[celli]];
+            }
+        }
+        field.correctBoundaryConditions();
+        field.writeData(os);
+    };
+    if (!RK3_)
+    {
+        history_.reset(new writtenObject<volVectorField>(historyName(explicit_),
+                                                         "", mesh_, writeLast));
+    }
 
     // The step that the last terms belong to: Time forgets it where deltaT is
     // fixed
     lastDt_ = lastStep::read(mesh_.time());
     if (!(lastDt_ > 0)) lastDt_ = mesh_.time().deltaTValue();
 
-    staggeredField& u = force_;
-    grid_.toStaggered(phi_, u);
-    forAll(grid_.index(), celli)
-    {
-        const label q = block_.placeOf(celli);
-        for (direction d = 0; d < 3; ++d)
-        {
-            u_[d][q] = u[d][grid_.index()[celli]];
-        }
-        pressure_[q] = p_[celli];
-    }
-    block_.update(pressure_.data());
+    grid_.toStaggered(phi_, force_);
+    setVelocity(force_);
     force_.clear();
+    block_.set(p_, pressure_.data());
 }
 
 // What p has more than pressure_
@@ -126,7 +103,6 @@ void Foam::staggeredFlow::takeOver()
 
     // What is theirs less what is ours, of phi as a velocity
     vectorField U(U_.size());
-    scalarField p(p_.size());
     grid_.toStaggered(phi_, force_);
     const scalar level = levelOfPressure();
     vector change(Zero), size(Zero);
@@ -142,9 +118,9 @@ void Foam::staggeredFlow::takeOver()
             change.y() = max(change.y(), mag(force_[d][n] - u));
             size.x() = max(size.x(), mag(u));
         }
-        p[celli] = p_[celli] - (pressure_[q] + level);
-        change.z() = max(change.z(), mag(p[celli]));
-        size.z() = max(size.z(), mag(pressure_[q] + level));
+        const scalar p = pressure_[q] + level;
+        change.z() = max(change.z(), mag(p_[celli] - p));
+        size.z() = max(size.z(), mag(p));
     }
     size.y() = size.x();
     reduce(change, maxOp<vector>());
@@ -162,31 +138,15 @@ void Foam::staggeredFlow::takeOver()
     }
     if (changed(1) || changed(0))
     {
-        rates_.clear();
         if (!changed(1))
         {
             velocity(force_);
             addCells(U, 1);
         }
-        block_.rows(
-            [&](const label q, const label n)
-            {
-                for (direction d = 0; d < 3; ++d)
-                {
-                    std::copy_n(force_[d].cdata() + n, box_.size.x(),
-                                u_[d].data() + q);
-                }
-            });
-        stopOnWalls();
-        updateVelocity();
+        setVelocity(force_);
     }
     force_.clear();
-    if (changed(2))
-    {
-        forAll(p, celli)
-        {
-            pressure_[block_.placeOf(celli)] += p[celli];
-        }
-        block_.update(pressure_.data());
-    }
+    if (!changed(2)) return;
+    const scalarField p(p_.primitiveField() - level);
+    block_.set(p, pressure_.data());
 }

@@ -18,39 +18,37 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
       controls_(controls),
       RK3_(readEnum(Enum<bool>({{false, "AB2"}, {true, "RK3"}}), controls,
                     "timeScheme", false)),
-      diffusion_(readEnum(Enum<diffusionType>({{AUTO, "auto"},
-                                               {ADI, "ADI"},
-                                               {FFT, "FFT"},
-                                               {EXPLICIT, "explicit"}}),
-                          controls, "diffusion", AUTO)),
+      diffusion_(readWord(controls, "diffusion",
+                          {"auto", "ADI", "FFT", "explicit"}, "auto")),
       convection_(controls.getOrDefault<bool>("convection", true)),
       U_(U),
       p_(p),
       phi_(phi),
       force_(box_)
 {
-    label nWalled = 0;
-    FixedList<sideConditions, 3> sides;
-    for (direction d = 0; d < 3; ++d)
-    {
-        sides[d].periodic = grid_.periodic(d);
-        if (!grid_.periodic(d)) ++nWalled;
-    }
-    if (diffusion_ == FFT && nWalled > 1)
+    const label nWalled =
+        3 - grid_.periodic(0) - grid_.periodic(1) - grid_.periodic(2);
+    if (diffusion_ == "FFT" && nWalled > 1)
     {
         refuse(controls, "diffusion", "FFT",
                "auto, ADI or explicit where two directions have walls");
     }
-    mayTransform_ =
-        diffusion_ == FFT || (diffusion_ == AUTO && stiffBodies && nWalled < 2);
+    mayTransform_ = diffusion_ == "FFT" ||
+                    (diffusion_ == "auto" && stiffBodies && nWalled < 2);
 
     // First, as making it takes memory for a moment
-    poisson_.reset(new fastHelmholtz(grid_, sides, block_.places()));
+    poisson_.reset(new fastHelmholtz(grid_, sidesOf(grid_), block_.places()));
     u_ = componentArrays(block_.size());
     last_ = componentArrays(box_.nPlaces());
     pressure_.assign(block_.size(), 0);
     correction_.assign(block_.size(), 0);
-    if (RK3_) increment_.reset(new staggeredField(box_));
+    if (RK3_)
+    {
+        increment_.reset(new staggeredField(box_));
+        stages_ = {{8.0 / 15, 0, 8.0 / 15},
+                   {5.0 / 12, -17.0 / 60, 2.0 / 15},
+                   {3.0 / 4, -5.0 / 12, 1.0 / 3}};
+    }
 
     for (const fvPatchVectorField& Ub : U.boundaryField())
     {
@@ -73,12 +71,7 @@ void Foam::staggeredFlow::setViscosity(const volScalarField& nu,
 
     // Also of places that no cell has
     nu_.resize(block_.size(), nuMax_);
-    forAll(grid_.index(), celli)
-    {
-        nu_[block_.placeOf(celli)] = nu[celli];
-    }
-    block_.update(nu_.data());
-    block_.extend(nu_.data());
+    block_.set(nu, nu_.data());
 
     // The harmonic mean of the four cells at an edge: exact for shear across
     // layers, where the stress is what is continuous
@@ -130,21 +123,10 @@ void Foam::staggeredFlow::updateVelocity()
     for (direction c = 0; c < 3; ++c)
     {
         double* u = all[c];
-        for (direction d = 0; d < 3; ++d)
-        {
-            const label s = block_.stride(d);
-            const auto mirror =
-                [&](const label at, const label inward, const scalar wall)
-            {
-                const double tangential = c == d ? 0 : 1;
-                block_.layerPlaces(
-                    d, at,
-                    [&](const label q)
-                    { u[q] = tangential * (2 * wall - u[q + inward]); });
-            };
-            if (block_.wallBelow(d)) mirror(-1, s, walls_[d][0][c]);
-            if (block_.wallAbove(d)) mirror(box_.size[d], -s, walls_[d][1][c]);
-        }
+        block_.beyondWalls(
+            [&](const label q, const label inside, const direction d,
+                const label side)
+            { u[q] = c == d ? 0 : 2 * walls_[d][side][c] - u[inside]; });
     }
 }
 
@@ -166,18 +148,29 @@ void Foam::staggeredFlow::velocity(staggeredField& u) const
         });
 }
 
+void Foam::staggeredFlow::setVelocity(const staggeredField& u)
+{
+    block_.rows(
+        [&](const label q, const label n)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                std::copy_n(u[d].cdata() + n, box_.size.x(), u_[d].data() + q);
+            }
+        });
+    rates_.clear();
+    stopOnWalls();
+    updateVelocity();
+}
+
 void Foam::staggeredFlow::addCells(const vectorField& cells,
                                    const scalar factor)
 {
     // The pressure correction is free between steps
     for (direction d = 0; d < 3; ++d)
     {
-        forAll(cells, celli)
-        {
-            correction_[block_.placeOf(celli)] = 0.5 * factor * cells[celli][d];
-        }
-        block_.update(correction_.data());
-        block_.extend(correction_.data());
+        const scalarField half(0.5 * factor * cells.component(d));
+        block_.set(half, correction_.data());
         block_.rows(
             [&](const label q, const label n)
             {
@@ -192,54 +185,47 @@ void Foam::staggeredFlow::addCells(const vectorField& cells,
 
 Foam::scalar Foam::staggeredFlow::maxDeltaT() const
 {
-    return diffusion_ == EXPLICIT && nuMax_ > 0
+    return diffusion_ == "explicit" && nuMax_ > 0
                ? explicitLimit() / grid_.diffusionNumber(nuMax_, 1)
                : GREAT;
 }
 
 void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
 {
-    const bool before = explicit_;
+    const bool wasExplicit = explicit_, byTransforms = transforms_;
     const scalar limit = explicitLimit();
     const scalar number = grid_.diffusionNumber(nuMax_, dt);
+    if (diffusion_ == "explicit" && number > 1.04 * limit)
+    {
+        refuse(controls_, "diffusion",
+               "explicit at nu dt/h^2 = " + Foam::name(number),
+               "auto, ADI or FFT, or a smaller deltaT: explicit diffusion is "
+               "unstable above " +
+                   Foam::name(1.04 * limit));
+    }
 
-    if (diffusion_ == AUTO)
-    {
-        // Not back and forth where dt varies about the limit
-        explicit_ =
-            number < (explicit_ || !(chosen_ || hasLast_) ? 1 : 0.75) * limit;
-    }
-    else
-    {
-        explicit_ = diffusion_ == EXPLICIT;
-        if (explicit_ && number > 1.04 * limit)
-        {
-            refuse(controls_, "diffusion",
-                   "explicit at nu dt/h^2 = " + Foam::name(number),
-                   "auto, ADI or FFT, or a smaller deltaT: explicit diffusion "
-                   "is unstable above " +
-                       Foam::name(1.04 * limit));
-        }
-    }
-    if (explicit_ != before) hasLast_ = false;
-    const bool byTransforms = transforms_;
-    transforms_ = mayTransform_ && (diffusion_ == FFT || number > 1);
-    const bool other = transforms_ != byTransforms;
-    if (other) responseTo_ = -1;
+    // Not back and forth where dt varies about the limit
+    const scalar below =
+        (explicit_ || !(chosen_ || hasLast_) ? 1 : 0.75) * limit;
+    explicit_ =
+        diffusion_ == "explicit" || (diffusion_ == "auto" && number < below);
+    transforms_ = mayTransform_ && (diffusion_ == "FFT" || number > 1);
     if (!explicit_ && !implicit_[transforms_])
     {
         implicit_[transforms_].reset(new implicitDiffusion(grid_, transforms_));
     }
-    if (explicit_ != before || (!explicit_ && other) || !chosen_)
-    {
-        chosen_ = true;
-        Info << "Diffusion: "
-             << (explicit_     ? "explicit"
-                 : transforms_ ? "implicit by fast transforms"
-                               : "implicit by ADI")
-             << " at nu dt/h^2 = " << number << endl;
-        if (history_) history_->rename(historyName(explicit_));
-    }
+    const bool other = explicit_ != wasExplicit || transforms_ != byTransforms;
+    if (chosen_ && !other) return;
+
+    chosen_ = true;
+    if (explicit_ != wasExplicit) hasLast_ = false;
+    responseTo_ = -1;
+    Info << "Diffusion: "
+         << (explicit_     ? "explicit"
+             : transforms_ ? "implicit by fast transforms"
+                           : "implicit by ADI")
+         << " at nu dt/h^2 = " << number << endl;
+    if (history_) history_->rename(historyName(explicit_));
 }
 
 void Foam::staggeredFlow::begin(const scalar dt)
@@ -266,13 +252,7 @@ void Foam::staggeredFlow::begin(const scalar dt)
         }
     }
 
-    if (RK3_)
-    {
-        stages_ = {{8.0 / 15, 0, 8.0 / 15},
-                   {5.0 / 12, -17.0 / 60, 2.0 / 15},
-                   {3.0 / 4, -5.0 / 12, 1.0 / 3}};
-    }
-    else
+    if (!RK3_)
     {
         const scalar c0 = hasLast_ ? -0.5 * dt / lastDt_ : 0;
         stages_ = {{1 - c0, c0, 1}};
@@ -283,17 +263,6 @@ void Foam::staggeredFlow::begin(const scalar dt)
     stepDt_ = dt;
     gradient_ = likelyGradient_ * dt;
     likelyGradient_ = 0;
-}
-
-void Foam::staggeredFlow::step(const scalar dt)
-{
-    begin(dt);
-    for (label stage = 0; stage < nStages(); ++stage)
-    {
-        predict();
-        diffuse();
-        project();
-    }
 }
 
 void Foam::staggeredFlow::restore(const staggeredState& s)

@@ -17,9 +17,9 @@ struct momentumRow
     double per[3], rate[3];
     label step[3];
 
-    //- The velocity; nu and its values at the edges along each direction, what of nu is
-    //  treated otherwise
-    const double *u[3], *nu, *nuEdge[3];
+    //- Velocity and pressure; nu and its values at the edges along each direction, what of
+    //  nu is treated otherwise
+    const double *u[3], *p, *nu, *nuEdge[3];
     double nu0;
 
     double laplacian(const int D, const label i) const
@@ -86,32 +86,35 @@ void Foam::staggeredFlow::makeIncrements()
 {
     // nu L u is among the explicit terms or among the others
     constexpr bool among = !Implicit && !Variable;
-    const double nu0 = Implicit ? nuMax_ : 0;
     const stage& s = stages_[stage_];
     const double now = stepDt_ * s.now, before = stepDt_ * s.before,
-                 rest = stepDt_ * s.others, others = rest * nu0;
+                 rest = stepDt_ * s.others, others = rest * nuMax_;
     momentumRow all;
-    all.nu0 = nu0;
+    double *last[3], *out[3];
     for (direction d = 0; d < 3; ++d)
     {
         all.per[d] = 1 / grid_.h()[d];
         all.rate[d] = nuMax_ * sqr(all.per[d]);
         all.step[d] = block_.stride(d);
+        all.u[d] = u_[d].data();
+        all.nuEdge[d] = nuEdge_[d].data();
+        last[d] = last_[d].data();
+        out[d] = increment()[d].data();
     }
+    all.nu = nu_.data();
+    all.nu0 = Implicit ? nuMax_ : 0;
+    all.p = pressure_.data();
     const label nx = box_.size.x();
     const auto makeRow = [=](const label q, const label n)
     {
         momentumRow row(all);
-        double *last[3], *out[3];
         for (direction d = 0; d < 3; ++d)
         {
-            row.u[d] = u_[d].data() + q;
-            if (Variable) row.nuEdge[d] = nuEdge_[d].data() + q;
-            last[d] = last_[d].data() + n;
-            out[d] = increment()[d].data() + n;
+            row.u[d] += q;
+            if (Variable) row.nuEdge[d] += q;
         }
-        if (Variable) row.nu = nu_.data() + q;
-        const double* p = pressure_.data() + q;
+        if (Variable) row.nu += q;
+        row.p += q;
 #pragma GCC ivdep
         for (label i = 0; i < nx; ++i)
         {
@@ -129,11 +132,12 @@ void Foam::staggeredFlow::makeIncrements()
 #pragma GCC unroll 3
             for (int d = 0; d < 3; ++d)
             {
-                out[d][i] = now * terms[d] + before * last[d][i] +
-                            (Implicit ? others * diffusion[d] : 0) +
-                            rest * (out[d][i] -
-                                    row.per[d] * (p[i] - p[i - row.step[d]]));
-                last[d][i] = terms[d];
+                out[d][n + i] =
+                    now * terms[d] + before * last[d][n + i] +
+                    (Implicit ? others * diffusion[d] : 0) +
+                    rest * (out[d][n + i] -
+                            row.per[d] * (row.p[i] - row.p[i - row.step[d]]));
+                last[d][n + i] = terms[d];
             }
         }
     };
@@ -174,7 +178,7 @@ void Foam::staggeredFlow::holdMean(const direction c, const scalar dt)
     const scalar nAll = scalar(grid_.n().x()) * grid_.n().y() * grid_.n().z();
     const label nx = box_.size.x();
     const scalar b = explicit_ ? 0 : 0.5 * nuMax_ * dt;
-    if (b != responseTo_ || response_.empty())
+    if (b != responseTo_)
     {
         response_.assign(box_.nPlaces(), 0);
         block_.rows([&](const label, const label n)
@@ -235,20 +239,18 @@ void Foam::staggeredFlow::predict()
 Foam::velocityPrediction Foam::staggeredFlow::prediction()
 {
     const scalar others = stages_[stage_].others, dt = others * stepDt_;
-    velocityPrediction p;
+    velocityPrediction p{{velocity()},
+                         explicit_ ? 0 : grid_.diffusionNumber(nuMax_, stepDt_),
+                         {}};
     if (addsAtOnce())
     {
-        const staggeredTarget u(u_, block_.place(0, 0, 0), block_.stride(1),
-                                block_.stride(2), dt);
-        p = {{velocity()}, 0, {u}};
+        p.force.append(staggeredTarget(u_, block_.place(0, 0, 0),
+                                       block_.stride(1), block_.stride(2), dt));
     }
     else
     {
-        const scalar number =
-            explicit_ ? 0 : grid_.diffusionNumber(nuMax_, stepDt_);
-        p = {{velocity(), {increment(), 1 / others}},
-             number,
-             {{increment(), dt}}};
+        p.u.append(staggeredView(increment(), 1 / others));
+        p.force.append(staggeredTarget(increment(), dt));
     }
 
     // Later stages of RK3 have the force as well
@@ -284,12 +286,9 @@ void Foam::staggeredFlow::diffuse()
     }
 
     const auto timing(effects_.time("momentum"));
-    if (!addsAtOnce())
+    for (label k = 0; !addsAtOnce() && k < box_.size.z(); ++k)
     {
-        for (label k = 0; k < box_.size.z(); ++k)
-        {
-            addIncrements(k);
-        }
+        addIncrements(k);
     }
     if (holdsMean_) holdMean(heldComponent_, dt);
 }

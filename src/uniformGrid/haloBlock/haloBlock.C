@@ -85,14 +85,3 @@ Foam::haloBlock::haloBlock(const uniformGrid& grid)
         above_[d] = made();
     }
 }
-
-void Foam::haloBlock::extend(scalar* f) const
-{
-    for (direction d = 0; d < 3; ++d)
-    {
-        const auto copy = [&](const label at, const label inward)
-        { layerPlaces(d, at, [&](const label q) { f[q] = f[q + inward]; }); };
-        if (wallBelow(d)) copy(-1, stride_[d]);
-        if (wallAbove(d)) copy(box_.size[d], -stride_[d]);
-    }
-}

@@ -142,6 +142,19 @@ direction sweptByCut(const uniformGrid& grid, const List<labelVector>& cells,
 }
 } // namespace
 
+Foam::FixedList<Foam::sideConditions, 3> Foam::sidesOf(const uniformGrid& grid,
+                                                       const bool zeroOnWalls)
+{
+    FixedList<sideConditions, 3> sides;
+    for (direction d = 0; d < 3; ++d)
+    {
+        sides[d].periodic = grid.periodic(d);
+        sides[d].lowerDirichlet = sides[d].upperDirichlet =
+            zeroOnWalls && !grid.periodic(d);
+    }
+    return sides;
+}
+
 // A walled direction: its sine and cosine transforms cost twice a periodic one. y first,
 // as walls usually are there
 Foam::direction Foam::planeTransform::swept(const labelVector& n,

@@ -50,7 +50,7 @@ TEST(ThicknessCouple, doesNotFeelItself)
             markerSet markers(grid, kernel, neighbours);
             markers.place(at);
             markers.spread(F, flow->force());
-            flow->step(1e8 * sqr(h) / mu);
+            step(*flow, 1e8 * sqr(h) / mu);
             markers.interpolate({flow->velocity()}, U);
             U *= 0.5;
 

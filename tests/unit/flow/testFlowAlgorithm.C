@@ -10,7 +10,7 @@ namespace
 flowAlgorithm algorithm(const char* entries, const string& obstacle)
 {
     IStringStream is(entries);
-    return flowAlgorithm(dictionary(is), obstacle);
+    return flowAlgorithm(dictionary(is), [&]() { return obstacle; });
 }
 } // namespace
 
