@@ -2,7 +2,8 @@
 
 . ../functions.sh
 readCounts=$PWD/readCounts.py
-portable=$runs/portable
+# Kept: it is built once for both
+portable=$DEFORMABLE_BODIES_DIR/tests/run/portable
 
 # buildPortable: this checkout without vector instructions, which callgrind does not know
 buildPortable()
@@ -10,7 +11,7 @@ buildPortable()
     mkdir -p "$portable"
     (cd "$DEFORMABLE_BODIES_DIR" && git ls-files -coz --exclude-standard ':!tests' | tar -c --null -T - | tar -x -C "$portable")
     check "build without vector instructions" eval \
-        '(export DEFORMABLE_BODIES_ARCH=portable; . "$portable/bin/env" && "$portable/Allwmake" -j 2) > "$runs/log.portable" 2>&1'
+        '(export DEFORMABLE_BODIES_ARCH=portable; . "$portable/bin/env" && "$portable/Allwmake" -j 2) > "$portable.log" 2>&1'
 }
 
 # scene <folder> <group's text> [entry value]...: bodies in a shear box, Re 10, eight steps
