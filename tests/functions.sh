@@ -2,6 +2,7 @@
 
 . "$(dirname "${BASH_SOURCE[0]}")/../bin/env" || exit 1
 runs=${DEFORMABLE_BODIES_RUNS:-$DEFORMABLE_BODIES_DIR/tests/run}
+[[ $runs = /* ]] || { echo "DEFORMABLE_BODIES_RUNS is '$runs', it must begin with /" 1>&2; exit 1; }
 mkdir -p "$runs"
 
 passed=0
