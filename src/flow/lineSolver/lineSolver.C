@@ -231,13 +231,17 @@ void Foam::lineSolver::beyond(const double* ends, const label size,
 }
 
 void Foam::lineSolver::correct(double* x, const label m, const label stride,
-                               const double* before, const double* after) const
+                               const label line, const label begin,
+                               const label end) const
 {
-    const label n = box_.size[dir_];
-    for (label j = 0; j < n; ++j)
+    const label within = box_.size[dir_] - reach_;
+    const double* before = before_.data() + line;
+    const double* after = after_.data() + line;
+    for (label j = begin; j < end; ++j)
     {
-        if (j >= reach_ && j < n - reach_) j = n - reach_;
-        double* xj = x + j * stride;
+        if (j >= reach_ && j < within) j = within;
+        if (j >= end) return;
+        double* xj = x + (j - begin) * stride;
         const double b = piece_.before[j], a = piece_.after[j];
 #pragma GCC ivdep
         for (label i = 0; i < m; ++i)
@@ -305,23 +309,10 @@ void Foam::lineSolver::parts(double* x, const lineSolver* earlier, Visit visit)
 void Foam::lineSolver::correctRow(double* row, const label j,
                                   const label k) const
 {
-    const label nx = box_.size.x(), n = box_.size[dir_];
-    if (dir_ == 0)
-    {
-        correct(row, 1, 1, before_.data() + j + k * box_.size.y(),
-                after_.data() + j + k * box_.size.y());
-        return;
-    }
-    const label at = dir_ == 1 ? j : k, line = nx * (dir_ == 1 ? k : j);
-    if (at >= reach_ && at < n - reach_) return;
-    const double b = piece_.before[at], a = piece_.after[at];
-    const double* before = before_.data() + line;
-    const double* after = after_.data() + line;
-#pragma GCC ivdep
-    for (label i = 0; i < nx; ++i)
-    {
-        row[i] += b * before[i] + a * after[i];
-    }
+    const label nx = box_.size.x();
+    if (dir_ == 0) return correct(row, 1, 1, j + k * box_.size.y(), 0, nx);
+    const label at = dir_ == 1 ? j : k, across = dir_ == 1 ? k : j;
+    correct(row, nx, 0, across * nx, at, at + 1);
 }
 
 void Foam::lineSolver::begin(double* x, const double beta, const double lower,
@@ -355,7 +346,7 @@ void Foam::lineSolver::begin(double* x, const double beta, const double lower,
 
               // Periodic lines on one rank are their own neighbours: a part at a time
               beyond(ends, nLines, m, before_.data(), after_.data());
-              correct(y, m, stride, before_.data(), after_.data());
+              correct(y, m, stride, 0, 0, last + 1);
           });
     if (exchange_) exchange_->startForward(ends_.data());
     if (toLines_) toLines_->backward(swept, x);
@@ -372,8 +363,6 @@ void Foam::lineSolver::finish(double* x)
 {
     receive();
     parts(x, nullptr,
-          [&](double* y, const label m, const label stride, const label line) {
-              correct(y, m, stride, before_.data() + line,
-                      after_.data() + line);
-          });
+          [&](double* y, const label m, const label stride, const label line)
+          { correct(y, m, stride, line, 0, box_.size[dir_]); });
 }
