@@ -79,7 +79,7 @@ void Foam::capsuleGroup::loads(vector* X, vector* F, const scalar time)
         capsule& c = capsules_[i];
         std::copy(c.markersMid.begin(), c.markersMid.end(), X);
         forcesOnFluid(i, time, F);
-        if (nearField_) loadOnFluid(F, c.onFluid);
+        if (nearField_) nearLoad(c, F);
         c.near.X.clear();
         X += n;
         F += n;
@@ -122,9 +122,16 @@ Foam::capsuleGroup::nearForces(const label i)
     return c.near;
 }
 
-// Forces have the solid angles in them
-void Foam::capsuleGroup::loadOnFluid(const vector* F, numbers& q) const
+// Forces have the solid angles in them, and the opposite sign of loads
+void Foam::capsuleGroup::nearLoad(capsule& c, const vector* F) const
 {
-    q.resize(coeffs_.size());
-    markers_->valuesAdjoint(F, q.data());
+    numbers middle(coeffs_.size()), now(coeffs_.size());
+    load(c.xMid, middle);
+    load(c.x, now);
+    c.onFluid.resize(coeffs_.size());
+    markers_->valuesAdjoint(F, c.onFluid.data());
+    for (size_t j = 0; j < now.size(); ++j)
+    {
+        c.onFluid[j] += 0.5 * (middle[j] - now[j]);
+    }
 }

@@ -9,7 +9,7 @@ namespace
 {
 // Up to where the near field was measured to be better than none
 // (tests/validation/nearField)
-const Foam::scalar maxInertia = 1.3, maxViscosityRatio = 2;
+const Foam::scalar maxInertia = 20, maxViscosityRatio = 2;
 } // namespace
 
 void Foam::capsuleGroup::setMotion(const dictionary& dict)
@@ -28,7 +28,7 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
     // least four times that is stable (tests/bench/stability), unless the near field
     // gives it back
     const scalar smoothed = 4 / stabilised_->fastest();
-    maxDeltaT_ = nearField_ ? 0.375 * smoothed : smoothed;
+    maxDeltaT_ = nearField_ ? 0.5 * smoothed : smoothed;
 
     enum motionType
     {
@@ -127,13 +127,8 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
     const scalar h = scene_.grid.h().x();
     const scalar inertia =
         scene_.rho * stiffness * sqr(h / scene_.mu) / radius_;
-    const scalar step = scene_.deltaT * stiffness / (scene_.mu * radius_);
     string unknown;
-    if (radius_ < 2.5 * h && step > 0.8)
-        unknown = "deltaT K/(mu a) = " + Foam::name(step) +
-                  " at radius/h = " + Foam::name(radius_ / h) +
-                  ", stable up to 0.8, or from radius/h = 2.5 on";
-    else if (inertia > maxInertia)
+    if (inertia > maxInertia)
         unknown = "rho K h^2/(mu^2 a) = " + Foam::name(inertia) +
                   " (K: Gs, or a third of the area modulus), known up to " +
                   Foam::name(maxInertia);
@@ -147,6 +142,7 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
     {
         nearField_.reset(new capsuleNearField(
             harmonics().degree(), scene_.kernel.type(), h, scene_.mu, extent));
+        nearField_->setInertia(scene_.mu / scene_.rho, radius_);
         nearFieldKnown_ = unknown.empty();
         note = Foam::name(nearField_->nPoints()) + " points" +
                (unknown.empty() ? string("") : "; beyond what is known: ") +
@@ -198,11 +194,12 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
             if (c.onFluid.empty())
             {
                 forcesOnFluid(i, s.time - dt, F.data());
-                loadOnFluid(F.cdata(), c.onFluid);
+                nearLoad(c, F.cdata());
             }
             if (hasNearPartner()) nearForces(i); // before it moves
             nearField_->add(
-                c.x.data(), c.onFluid.data(), velocity.data(),
+                c.x.data(), c.onFluid.data(), velocity.data(), c.nearMemory,
+                c.lastDeltaT > 0 ? c.lastDeltaT : dt,
                 [&](const std::vector<vector>& X, std::vector<vector>& u)
                 {
                     if (!hasNearPartner()) return;

@@ -23,20 +23,34 @@ Foam::capsuleNearField::capsuleNearField(const label degree,
     const label byCells = std::ceil(pi * extent / (1.4 * h));
     usual_.reset(make(nTheta ? nTheta : max(label(12), byCells)));
     if (!nTheta && byCells < 16) stretched_.reset(make(16));
-    taper_.resize(harmonics().nCoeffs());
-    setTaper(8);
-}
-
-void Foam::capsuleNearField::setTaper(const scalar degree)
-{
     const sphericalHarmonics& grid = harmonics();
+    taper_.resize(grid.nCoeffs());
+    degree_.resize(grid.nCoeffs());
     for (label n = 0; n <= grid.degree(); ++n)
     {
         for (label m = 0; m <= n; ++m)
         {
-            taper_[grid.index(n, m, false)] = taper_[grid.index(n, m, m > 0)] =
-                std::exp(-std::pow(n / degree, 8));
+            degree_[grid.index(n, m, false)] =
+                degree_[grid.index(n, m, m > 0)] = n;
         }
+    }
+    setTaper(8);
+}
+
+void Foam::capsuleNearField::setInertia(const scalar nu, const scalar radius)
+{
+    for (label n = 0; n <= harmonics().degree(); ++n)
+    {
+        rates_.push_back(
+            usual_->sum.rates(max(n, label(1)) / radius, nu, nRates));
+    }
+}
+
+void Foam::capsuleNearField::setTaper(const scalar degree)
+{
+    for (size_t i = 0; i < taper_.size(); ++i)
+    {
+        taper_[i] = std::exp(-std::pow(degree_[i] / degree, 8));
     }
 }
 
@@ -89,8 +103,9 @@ void Foam::capsuleNearField::forcesAt(const surfacePoints& points,
     }
 }
 
-void Foam::capsuleNearField::add(const double* x, const double* load,
-                                 double* velocity, const others& more) const
+std::vector<double> Foam::capsuleNearField::inSlowFlow(const double* x,
+                                                       const double* load,
+                                                       const others& more) const
 {
     std::vector<vector> X, F;
     const pointSum& used = placePoints(x, X);
@@ -101,8 +116,54 @@ void Foam::capsuleNearField::add(const double* x, const double* load,
 
     std::vector<double> coeffs(3 * harmonics().nCoeffs());
     used.points.analysis(u.data(), coeffs.data());
+    return coeffs;
+}
+
+void Foam::capsuleNearField::addTapered(const std::vector<double>& coeffs,
+                                        double* velocity) const
+{
     for (size_t i = 0; i < coeffs.size(); ++i)
     {
         velocity[i] += taper_[i / 3] * coeffs[i];
     }
+}
+
+void Foam::capsuleNearField::add(const double* x, const double* load,
+                                 double* velocity, const others& more) const
+{
+    addTapered(inSlowFlow(x, load, more), velocity);
+}
+
+// Each w_j exactly, for M F that is linear in time within the step
+void Foam::capsuleNearField::add(const double* x, const double* load,
+                                 double* velocity, std::vector<double>& memory,
+                                 const scalar dt, const others& more) const
+{
+    const std::vector<double> slow(inSlowFlow(x, load, more));
+    const size_t n = slow.size();
+    if (memory.empty())
+    {
+        memory = slow;
+        memory.resize(memorySize * n, 0);
+    }
+    std::vector<double> keep(rates_.size()), mean(rates_.size()), sum(n, 0);
+    for (int j = 0; j < nRates; ++j)
+    {
+        for (size_t k = 0; k < rates_.size(); ++k)
+        {
+            const double step = dt * rates_[k][j];
+            keep[k] = std::exp(-step);
+            mean[k] = -std::expm1(-step) / step;
+        }
+        double* w = memory.data() + (1 + j) * n;
+        for (size_t i = 0; i < n; ++i)
+        {
+            const int k = degree_[i / 3];
+            w[i] = keep[k] * w[i] + (mean[k] - keep[k]) * memory[i] +
+                   (1 - mean[k]) * slow[i];
+            sum[i] += w[i] / nRates;
+        }
+    }
+    std::copy(slow.begin(), slow.end(), memory.begin());
+    addTapered(sum, velocity);
 }

@@ -185,32 +185,30 @@ Foam::bodyGroup::identity Foam::capsuleGroup::identify() const
 }
 
 // The step, then fields of coefficients, then which of those that not all capsules
-// have: 1 previous, 2 the lags, 4 what acts on the fluid
+// have: 1 previous, 2 the lags, 4 load and 8 memory of the near field
 Foam::scalarList Foam::capsuleGroup::state(const label i) const
 {
     const capsule& c = capsules_[i];
     DynamicList<scalar> s;
     s.append(c.lastDeltaT);
-    for (const numbers* v :
-         {&c.x, &c.velocity, &c.previous, &c.lag, &c.lagBefore, &c.onFluid})
+    for (const numbers* v : {&c.x, &c.velocity, &c.previous, &c.lag,
+                             &c.lagBefore, &c.onFluid, &c.nearMemory})
     {
         s.append(UList<scalar>(const_cast<double*>(v->data()), v->size()));
     }
     s.append(scalar((c.previous.empty() ? 0 : 1) + (c.lag.empty() ? 0 : 2) +
-                    (c.onFluid.empty() ? 0 : 4)));
+                    (c.onFluid.empty() ? 0 : 4) +
+                    (c.nearMemory.empty() ? 0 : 8)));
     return scalarList(std::move(s));
 }
 
-// States of earlier versions end without that number
 Foam::label Foam::capsuleGroup::partsOf(const scalarList& state) const
 {
     const label n = initial_.size(), size = state.size() - 1;
-    if (size == 2 * n) return 0;
-    if (size == 3 * n) return 1;
-    if (size == 4 * n) return 2;
     const label parts = label(state[size]);
-    const label nParts = 2 + (parts & 1) + (parts & 2) + (parts & 4) / 4;
-    return parts >= 0 && parts < 8 && size == 1 + nParts * n ? parts : -1;
+    const label nParts = 2 + (parts & 1) + (parts & 2) + (parts & 4) / 4 +
+                         (parts & 8) / 8 * capsuleNearField::memorySize;
+    return parts >= 0 && parts < 16 && size == 1 + nParts * n ? parts : -1;
 }
 
 Foam::point Foam::capsuleGroup::centreOf(const scalarList& state,
@@ -239,11 +237,13 @@ void Foam::capsuleGroup::setState(const label i, const scalarList& state,
     c.lastDeltaT = state[0];
     const label parts = partsOf(state);
     const scalar* at = state.cdata() + 1;
-    const auto read = [&](const bool there, const bool wanted, numbers& v)
+    const auto read = [&](const bool there, const bool wanted, numbers& v,
+                          const label times = 1)
     {
         if (!there) return;
-        if (wanted) v.assign(at, at + c.x.size());
-        at += c.x.size();
+        const label n = times * label(c.x.size());
+        if (wanted) v.assign(at, at + n);
+        at += n;
     };
     read(true, true, c.x);
     read(true, true, c.velocity);
@@ -251,5 +251,7 @@ void Foam::capsuleGroup::setState(const label i, const scalarList& state,
     read(parts & 2, bool(penalty_), c.lag);
     read(parts & 2, bool(penalty_), c.lagBefore);
     read(parts & 4, bool(nearField_), c.onFluid);
+    read(parts & 8, bool(nearField_), c.nearMemory,
+         capsuleNearField::memorySize);
     startAt(c);
 }

@@ -128,6 +128,7 @@ void Foam::nearField::transform(const deltaKernel& kernel)
         K_.push_back(K);
         trace_.push_back(weight * (2 * filter - smoothed[0]));
         along_.push_back(weight * -smoothed[1]);
+        withheld_.push_back(2 - smoothed[0]);
     }
 }
 
@@ -221,6 +222,39 @@ Foam::nearField::mobility Foam::nearField::fitted(const scalar q) const
     oneLane A, C;
     evaluate<oneLane>(oneLane::Constant(float(q * q)), A, C);
     return {A[0], C[0]};
+}
+
+// Along the normal the added velocity is an integral over wave numbers z, each of
+// which follows the forces at the rate nu (k^2 + z^2). Equal shares of it, from the
+// lowest wave number on, are given the mean of their times
+std::vector<double> Foam::nearField::rates(const scalar k, const scalar nu,
+                                           const int n) const
+{
+    const double wave = k * h_, step = 0.1 * (K_[1] - K_[0]);
+    std::vector<double> squares, added;
+    double sum = 0;
+    for (double z = 0.5 * step; z < K_.back(); z += step)
+    {
+        const double K = std::sqrt(sqr(wave) + sqr(z));
+        const size_t i = min(size_t(K / K_.back() * K_.size()), K_.size() - 1);
+        squares.push_back(sqr(K));
+        added.push_back(max(withheld_[i], 0.0) / sqr(K));
+        sum += added.back();
+    }
+    std::vector<double> share(n, 0), time(n, 0);
+    double before = 0;
+    for (size_t i = 0; i < added.size(); ++i)
+    {
+        const int j = min(int((before + 0.5 * added[i]) / sum * n), n - 1);
+        before += added[i];
+        share[j] += added[i];
+        time[j] += added[i] * sqr(h_) / (nu * squares[i]);
+    }
+    for (int j = 0; j < n; ++j)
+    {
+        time[j] = share[j] / time[j];
+    }
+    return time;
 }
 
 void Foam::nearField::add(const vector* Y, const vector* G, const label m,
