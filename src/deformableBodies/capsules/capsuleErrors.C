@@ -28,6 +28,20 @@ Foam::scalar ofCells(const Foam::scalar radius)
     return 0.115 * std::pow(4 / radius, 1.3);
 }
 
+// Of the stress of a suspension, by the volume that the kernel makes the fluid feel;
+// in slow flow the near field leaves 0.5 %
+Foam::scalar ofStress(const Foam::scalar radius)
+{
+    return Foam::pow3(1 + 0.53 / radius) - 1;
+}
+
+// With near field: what the kernel smooths of a flow with inertia, of first order in
+// h; Re = rho rate a^2/mu from 3 to 30
+Foam::scalar ofInertia(const Foam::scalar Re, const Foam::scalar radius)
+{
+    return 0.005 * Re * 4 / radius;
+}
+
 // Of markers that are so many cells apart where the shape is stretched by a quarter;
 // measured from 0.9 to 1.6
 Foam::scalar ofMarkers(const Foam::scalar spacing)
@@ -97,7 +111,8 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
         else
         {
             by += string(sphere_ ? "" : ", measured on spheres only") +
-                  " without near field";
+                  " without near field, which makes stresses " +
+                  number(100 * ofStress(radius)) + " % too high";
             remedy = [this](const scalar left)
             {
                 scalar cells = leastRadius;
@@ -108,6 +123,21 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
         }
         e.parts.push_back(
             {"cells", errorOfCells(bool(nearField_)), by, remedy});
+
+        const scalar Re = scene_.rho * flow.rate * sqr(radius_) / scene_.mu;
+        if (nearField_ && ofInertia(Re, radius) > 1e-3)
+        {
+            e.parts.push_back(
+                {"inertia", isMeasured() ? ofInertia(Re, radius) : -1,
+                 "Re " + number(Re) + ", of the stress twice that",
+                 [=](const scalar left)
+                 {
+                     return "cells of " +
+                            atMost(radius_ * left /
+                                   (radius * ofInertia(Re, radius))) +
+                            " m and smaller";
+                 }});
+        }
     }
     const label degree = harmonics().degree();
     e.parts.push_back({"harmonics", isMeasured() ? ofHarmonics(degree) : -1,

@@ -45,9 +45,9 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
     string note("motion " + words[motion]);
     if (motion == AUTO)
     {
-        // Re/Ca_G, whatever the rate
+        // Re/Ca, whatever the rate
         const scalar inertia =
-            scene_.rho * radius_ * law.shearModulus() / sqr(scene_.mu);
+            scene_.rho * radius_ * stiffness() / sqr(scene_.mu);
         if (scene_.deltaT <= maxDeltaT_)
         {
             motion = EXPLICIT;
@@ -122,11 +122,9 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
     const nearFieldEntry entry(readNearField(dict, never, errorOfCells(false)));
 
     // Where it is not known to be better
-    const scalar stiffness = max(membrane_->model().shearModulus(),
-                                 membrane_->model().areaModulus() / 3);
     const scalar h = scene_.grid.h().x();
     const scalar inertia =
-        scene_.rho * stiffness * sqr(h / scene_.mu) / radius_;
+        scene_.rho * stiffness() * sqr(h / scene_.mu) / radius_;
     string unknown;
     if (inertia > maxInertia)
         unknown = "rho K h^2/(mu^2 a) = " + Foam::name(inertia) +

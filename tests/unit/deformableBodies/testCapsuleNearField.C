@@ -103,6 +103,62 @@ double norm(const numbers& v)
 }
 } // namespace
 
+// With inertia: at steps much longer than diffusion takes it is that of slow flow, a
+// load that stays is followed without a step back, and steps may be split
+TEST(CapsuleNearField, followsTheLoad)
+{
+    const int N = 8;
+    const scalar h = 0.25, nu = 2;
+    capsuleNearField near(N, deltaKernel::Roma3, h, 1, 1);
+    near.setInertia(nu, 1);
+    const numbers x(sphere(N));
+    const sphericalHarmonics grid(N, 12);
+    numbers load(x.size(), 0), slow(load), memory;
+    load[3 * grid.index(2, 1, true)] = 1;
+    near.add(x.data(), load.data(), slow.data());
+    const auto step = [&](numbers& memory, const scalar dt, const scalar share)
+    {
+        numbers F(load), u(load.size(), 0);
+        for (double& f : F)
+        {
+            f *= share;
+        }
+        near.add(x.data(), F.data(), u.data(), memory, dt, nullptr);
+        for (size_t i = 0; i < u.size(); ++i)
+        {
+            u[i] -= slow[i];
+        }
+        return norm(u) / norm(slow);
+    };
+    expectBelow("at once: difference from slow flow",
+                step(memory, 1e6 * sqr(h) / nu, 1), 1e-5);
+
+    // What is left after a time, by exp(-s t): slower than h^2/nu, faster than a^2/nu
+    memory.clear();
+    step(memory, 1e-12, 0);
+    scalar last = step(memory, 0.1 * sqr(h) / nu, 1);
+    expectBelow("after a tenth of h^2/nu is left", last, 0.95);
+    expectBelow("but not less than", 0.4 / last, 1);
+    for (int i = 0; i < 20; ++i)
+    {
+        const scalar left = step(memory, sqr(h) / nu, 1);
+        EXPECT_LT(left, last);
+        last = left;
+    }
+    expectBelow("after 20 h^2/nu", last, 1e-3);
+
+    // A load that grows in proportion to time, in one step and in five
+    numbers one, five;
+    step(one, 1e-12, 0);
+    step(five, 1e-12, 0);
+    scalar left = 0;
+    for (int i = 1; i <= 5; ++i)
+    {
+        left = step(five, 0.2 * sqr(h) / nu, 0.2 * i);
+    }
+    expectBelow("split steps", mag(left - step(one, sqr(h) / nu, 1)), 1e-6);
+}
+
 // Time of a capsule's near field beside that of its membrane
 TEST(CapsuleNearField, DISABLED_cost)
 {
