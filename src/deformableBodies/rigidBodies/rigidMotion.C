@@ -137,11 +137,12 @@ Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
             force = sum(F);
             torque = sum((x.turn.R() & surface_) ^ F);
         }
-        const vectorField now(felt(i, U));
-        vectorField u(now);
+        vectorField u(felt(i, U));
 
         // The velocity at the start of the step stands for that at its end: see
-        // filamentGroup
+        // filamentGroup. Of the mesh's velocity only: the near field is that of
+        // forces, and its change would be answered twice
+        const vectorField now(UList<vector>(const_cast<vector*>(U), n));
         if (!s.predicted && x.dt > 0) u += 0.5 * (now - x.U);
         x.U = now;
         advance(x, u, gains(density, s), force, torque, s);
