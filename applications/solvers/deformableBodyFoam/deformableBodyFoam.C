@@ -41,6 +41,7 @@ Usage
 #include "lastStep.H"
 #include "fieldsWanted.H"
 #include "runProgress.H"
+#include "sigFpe.H"
 #include "startDictionary.H"
 #include "stepGuard.H"
 #include "printTraffic.H"

@@ -80,6 +80,16 @@ void Foam::stepGuard::check(const scalar Co, const std::function<void()>& fill)
     }
 }
 
+void Foam::stepGuard::checkSolved(const word& field, const scalar residual,
+                                  const std::function<void()>& fill) const
+{
+    if (residual < 10) return;
+    const scalar Co = CourantNo(phi_);
+    stop("the linear solver of " + field + " diverges, residual " +
+             Foam::name(residual) + ", at Courant number " + Foam::name(Co),
+         Co, fill);
+}
+
 void Foam::stepGuard::stop(const string& what, const scalar Co,
                            const std::function<void()>& fill) const
 {
