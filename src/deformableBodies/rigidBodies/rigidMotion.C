@@ -93,14 +93,18 @@ const Foam::bodyGroup::pointForces& Foam::rigidGroup::nearForces(const label i)
     return nearForces_;
 }
 
+Foam::scalar Foam::rigidGroup::slipOf(const body& x, const vectorField& u)
+{
+    return max(
+        mag(x.velocity + (x.angularVelocity ^ (x.markers - x.centre)) - u));
+}
+
 void Foam::rigidGroup::observe(const vector* U)
 {
     forAll(mine(), i)
     {
         body& x = bodies_[i];
-        const vectorField u(felt(i, U));
-        x.slip = max(
-            mag(x.velocity + (x.angularVelocity ^ (x.markers - x.centre)) - u));
+        x.slip = slipOf(x, felt(i, U));
         U += markers_.size();
     }
 }
@@ -148,9 +152,7 @@ Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
         advance(x, u, gains(density, s), force, torque, s);
 
         // Implicit solvers of the fluid bear no such force for long
-        const vectorField slip(
-            x.velocity + (x.angularVelocity ^ (x.markers - x.centre)) - u);
-        const scalar cells = s.dt * max(mag(slip)) / h_;
+        const scalar cells = s.dt * slipOf(x, u) / h_;
         if (!(cells < 20))
         {
             OStringStream os;
