@@ -60,7 +60,11 @@ void Foam::stepGuard::check(const scalar Co, const std::function<void()>& fill)
              Co, fill);
     }
 
-    if (Co <= stable_ || rate_ == 0) rate_ = max(rate_, Co / dt);
+    if (Co > 0 && (Co <= stable_ || borne_ == 0))
+    {
+        const scalar borne = min(stable_, scalar(1)) * dt / Co;
+        borne_ = borne_ > 0 ? min(borne_, borne) : borne;
+    }
     // An adjusted step is adjusted to the velocity before
     if (Co <= 1.05 * stable_ ||
         (warned_ >= 0 && time.timeIndex() < warned_ + pause))
@@ -123,7 +127,7 @@ void Foam::stepGuard::stop(const string& what, const scalar Co,
     if (!starting) lastStep::writeBeforeStop(time, what);
     const scalar dt = time.deltaTValue();
     const scalar borne =
-        min(stable_, scalar(1)) / max(rate_ > 0 ? rate_ : Co / dt, VSMALL);
+        borne_ > 0 ? borne_ : min(stable_, scalar(1)) * dt / max(Co, VSMALL);
     OStringStream allowed;
     if (borne < dt)
     {
@@ -134,7 +138,8 @@ void Foam::stepGuard::stop(const string& what, const scalar Co,
     {
         allowed << "deltaT was below the flow's own limit, "
                 << Foam::name(borne)
-                << ": bodies, forces or conditions need a smaller one";
+                << ": " << (bodies_ ? "bodies, forces" : "forces")
+                << " or conditions need a smaller one";
     }
     firstRankSpeaks();
     FatalErrorInFunction

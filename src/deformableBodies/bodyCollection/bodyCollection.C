@@ -125,12 +125,12 @@ Foam::bodyCollection::~bodyCollection()
     }
 }
 
-bool Foam::bodyCollection::stiff() const
+bool Foam::bodyCollection::twoWay() const
 {
     bool any = false;
     forAll(groups_, g)
     {
-        any = any || (groups_[g].twoWay() && groups_[g].stiff());
+        any = any || groups_[g].twoWay();
     }
     return any;
 }

@@ -84,6 +84,6 @@ void Foam::flowAlgorithm::checkControls(const dictionary& controls,
     if (unused.empty()) return;
     Info << "Flow algorithm staggered does not use " << unused.c_str()
          << ": its time scheme is timeScheme "
-         << controls.getOrDefault<word>("timeScheme", "AB2")
+         << controls.getOrDefault<word>("timeScheme", "auto")
          << " in PIMPLE, in one pass a step" << nl << endl;
 }

@@ -3,6 +3,7 @@
 // Between the fields of OpenFOAM and those of a block: state, U, p and phi
 
 #include "staggeredFlow.H"
+#include "caseFiles.H"
 #include "lastStep.H"
 #include "writtenObject.H"
 
@@ -13,6 +14,10 @@ Foam::word Foam::staggeredFlow::historyName(const bool isExplicit)
 
 void Foam::staggeredFlow::readState()
 {
+    const auto scheme = stateOfTime(mesh_, "timeScheme");
+    const word before(
+        scheme ? scheme->getOrDefault<word>("timeScheme", "AB2") : "AB2");
+    if ((timeScheme_ == "auto" ? before : timeScheme_) == "RK3") takeRK3();
     for (const bool isExplicit : {false, true})
     {
         IOobject io(historyName(isExplicit), mesh_.time().timeName(), mesh_,

@@ -3,21 +3,29 @@
 #include "staggeredFlow.H"
 #include "dictionaryChecks.H"
 #include "fixedValueFvPatchFields.H"
+#include "writtenObject.H"
+
+namespace
+{
+//- Courant number that RK3 bears, and that AB2 is left whatever the viscosity: there a
+//  wave grows by e in 80 of its periods
+const Foam::scalar stableRK3 = 1.7, leastAB2 = 0.2;
+} // namespace
 
 Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
                                    surfaceScalarField& phi,
                                    const volScalarField& nu,
                                    const dictionary& controls,
                                    effectLedger& effects,
-                                   const bool stiffBodies)
+                                   const bool bodies)
     : mesh_(U.mesh()),
       grid_(uniformGrid::New(mesh_)),
       block_(grid_),
       box_(block_.box()),
       effects_(effects),
       controls_(controls),
-      RK3_(readEnum(Enum<bool>({{false, "AB2"}, {true, "RK3"}}), controls,
-                    "timeScheme", false)),
+      timeScheme_(
+          readWord(controls, "timeScheme", {"auto", "AB2", "RK3"}, "auto")),
       diffusion_(readWord(controls, "diffusion",
                           {"auto", "ADI", "FFT", "explicit"}, "auto")),
       convection_(controls.getOrDefault<bool>("convection", true)),
@@ -34,7 +42,7 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
                "auto, ADI or explicit where two directions have walls");
     }
     mayTransform_ = diffusion_ == "FFT" ||
-                    (diffusion_ == "auto" && stiffBodies && nWalled < 2);
+                    (diffusion_ == "auto" && bodies && nWalled < 2);
 
     // First, as making it takes memory for a moment
     poisson_.reset(new fastHelmholtz(grid_, sidesOf(grid_), block_.places()));
@@ -42,13 +50,6 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
     last_ = componentArrays(box_.nPlaces());
     pressure_.assign(block_.size(), 0);
     correction_.assign(block_.size(), 0);
-    if (RK3_)
-    {
-        increment_.reset(new staggeredField(box_));
-        stages_ = {{8.0 / 15, 0, 8.0 / 15},
-                   {5.0 / 12, -17.0 / 60, 2.0 / 15},
-                   {3.0 / 4, -5.0 / 12, 1.0 / 3}};
-    }
 
     for (const fvPatchVectorField& Ub : U.boundaryField())
     {
@@ -67,7 +68,8 @@ void Foam::staggeredFlow::setViscosity(const volScalarField& nu,
                                        const scalar highest)
 {
     nuMax_ = max(highest, gMax(nu.primitiveField()));
-    if (nuMax_ - gMin(nu.primitiveField()) <= 1e-12 * nuMax_) return;
+    nuMin_ = gMin(nu.primitiveField());
+    if (nuMax_ - nuMin_ <= 1e-12 * nuMax_) return;
 
     // Also of places that no cell has
     nu_.resize(block_.size(), nuMax_);
@@ -190,6 +192,40 @@ Foam::scalar Foam::staggeredFlow::maxDeltaT() const
                : GREAT;
 }
 
+void Foam::staggeredFlow::takeRK3()
+{
+    RK3_ = true;
+    hasLast_ = false;
+    history_.reset();
+    if (timeScheme_ == "auto")
+    {
+        scheme_.reset(new writtenObject<IOdictionary>(
+            "timeScheme", "uniform", mesh_,
+            [](Ostream& os) { os.writeEntry("timeScheme", "RK3"); }));
+    }
+    increment_.reset(new staggeredField(box_));
+    stages_ = {{8.0 / 15, 0, 8.0 / 15},
+               {5.0 / 12, -17.0 / 60, 2.0 / 15},
+               {3.0 / 4, -5.0 / 12, 1.0 / 3}};
+}
+
+void Foam::staggeredFlow::chooseTimeScheme(const scalar deltaT,
+                                           const bool adjusted)
+{
+    // Measured cost of a step of RK3 over one of AB2 (doc/methods.md)
+    const scalar dearer = 2.3;
+    if (timeScheme_ != "auto" || RK3_ || !convection_) return;
+    const scalar rate = CourantNo(1), borne = stableCourantNo() / rate;
+    const scalar gain =
+        adjusted ? min(deltaT, stableRK3 / rate) / (dearer * borne)
+                 : deltaT / borne;
+    if (!(gain > 1)) return;
+    takeRK3();
+    Info << "Time scheme: RK3, as AB2 bears steps up to " << Foam::name(borne)
+         << " s (Courant number " << Foam::name(borne * rate) << "), not "
+         << Foam::name(deltaT) << endl;
+}
+
 void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
 {
     const bool wasExplicit = explicit_, byTransforms = transforms_;
@@ -204,9 +240,9 @@ void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
                    Foam::name(1.04 * limit));
     }
 
-    // Not back and forth where dt varies about the limit
+    // AB2 starts afresh: not back and forth where dt varies about the limit
     const scalar below =
-        (explicit_ || !(chosen_ || hasLast_) ? 1 : 0.75) * limit;
+        (RK3_ || explicit_ || !(chosen_ || hasLast_) ? 1 : 0.75) * limit;
     explicit_ =
         diffusion_ == "explicit" || (diffusion_ == "auto" && number < below);
     transforms_ = mayTransform_ && (diffusion_ == "FFT" || number > 1);
@@ -284,7 +320,7 @@ void Foam::staggeredFlow::takeRates(const label q) const
     const double* a = u_[0].cdata() + q;
     const double* b = u_[1].cdata() + q;
     const double* c = u_[2].cdata() + q;
-    double* largest = rates_.data();
+    double *largest = rates_.data(), *steepest = steepness_.data();
 #pragma GCC ivdep
     for (label i = 0; i < box_.size.x(); ++i)
     {
@@ -292,23 +328,49 @@ void Foam::staggeredFlow::takeRates(const label q) const
             std::abs(a[i]) * r0 + std::abs(b[i]) * r1 + std::abs(c[i]) * r2;
         const bool take = (rate > largest[i]) | (rate != rate);
         largest[i] = take ? rate : largest[i];
+        const double steep =
+            rate * rate * (a[i] * a[i] + b[i] * b[i] + c[i] * c[i]);
+        steepest[i] = steep > steepest[i] ? steep : steepest[i];
     }
 }
 
-Foam::scalar Foam::staggeredFlow::CourantNo(const scalar dt) const
+Foam::vector2D Foam::staggeredFlow::largestRates() const
 {
     if (rates_.empty())
     {
         rates_.assign(box_.size.x(), 0);
+        steepness_.assign(box_.size.x(), 0);
         block_.rows([&](const label q, const label) { takeRates(q); });
     }
-    scalar largest = 0;
-    for (const double rate : rates_)
+    vector2D largest(Zero);
+    for (std::size_t i = 0; i < rates_.size(); ++i)
     {
-        largest = max(largest, rate < VGREAT ? rate : VGREAT);
+        largest.x() = max(largest.x(), rates_[i] < VGREAT ? rates_[i] : VGREAT);
+        largest.y() = max(largest.y(), steepness_[i]);
     }
-    reduce(largest, maxOp<scalar>());
-    return largest < VGREAT ? dt * largest : GREAT * GREAT;
+    reduce(largest, maxOp<vector2D>());
+    return largest;
+}
+
+Foam::scalar Foam::staggeredFlow::CourantNo(const scalar dt) const
+{
+    const scalar rate = largestRates().x();
+    return rate < VGREAT ? dt * rate : GREAT * GREAT;
+}
+
+// A wave of central differences in a velocity u that is uniform around it turns by
+// w = sum_d u_d dt/h_d sin(theta_d) a step, grows with AB2 by w^4/4 and is damped by
+// 4 nu dt sum_d sin^2(theta_d/2)/h_d^2: none grows, the first of five cells, up to
+// dt^3 = 6.75 nu/(r |u|)^2. The square root: terms of higher order, fitted to the roots of
+// AB2 with Crank-Nicolson or explicit diffusion (tests/unit/flow)
+Foam::scalar Foam::staggeredFlow::stableCourantNo() const
+{
+    if (!convection_) return GREAT;
+    if (RK3_) return stableRK3;
+    const vector2D largest(largestRates());
+    if (!(largest.y() > VSMALL && largest.x() < VGREAT)) return 1;
+    const scalar Co = largest.x() * std::cbrt(6.75 * nuMin_ / largest.y());
+    return min(scalar(1), max(leastAB2, Co / std::sqrt(1 + 0.8 * sqr(Co))));
 }
 
 Foam::scalar Foam::staggeredFlow::divergence()

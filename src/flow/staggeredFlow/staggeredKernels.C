@@ -328,6 +328,7 @@ void Foam::staggeredFlow::project()
     block_.extend(correction_.data());
 
     rates_.assign(nx, 0);
+    steepness_.assign(nx, 0);
     const double d0 = dt / h.x(), d1 = dt / h.y(), d2 = dt / h.z();
     block_.rowsFromAbove(
         [&](const label q, const label)

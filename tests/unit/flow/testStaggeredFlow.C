@@ -56,6 +56,99 @@ TEST(StaggeredFlow, stableAtLargeViscousSteps)
     }
 }
 
+// Noise in a uniform velocity: below the stated Courant number no wave grows, above it
+// those of some five cells do
+TEST(StaggeredFlow, wavesOfFiveCellsDoNotGrow)
+{
+    struct flowCase
+    {
+        const char* controls;
+        vector U, h;
+        scalar nu;
+    };
+    const vector cubes(1, 1, 1);
+    for (const flowCase& f :
+         {flowCase{"diffusion explicit;", vector(1, 0, 0), cubes, 0.0025},
+          flowCase{"diffusion explicit;", vector(0, 0, 1), cubes, 0.02},
+          flowCase{"diffusion ADI;", vector(1, 0, 0), cubes, 0.02},
+          flowCase{"diffusion FFT;", vector(0, 1, 0), cubes, 0.2},
+          flowCase{"diffusion explicit;", vector(1, 1, 0), cubes, 0.02},
+          flowCase{"diffusion explicit;", vector(1, 0, 0), vector(3, 1, 2),
+                   0.05}})
+    {
+        const label n = 16;
+        test::box b(labelVector(n, n, n), n * f.h, periodic, f.nu);
+        b.start(
+            [&](const vector& x)
+            {
+                const scalar a = 1e-6;
+                return f.U + a * vector(test::noise(x), test::noise(x, 5),
+                                        test::noise(x, 9));
+            });
+        for (const scalar share : {0.97, 1.2})
+        {
+            auto flow = b.flow(
+                (std::string("timeScheme AB2; ") + f.controls).c_str());
+            const scalar Co = flow->stableCourantNo();
+            const scalar dt = share * Co / flow->CourantNo(1);
+
+            // Damping of the wave per step, of the other waves more
+            const label nSteps = label(2 / (f.nu * dt));
+            const auto noiseAfter = [&](const label steps)
+            {
+                for (label i = 0; i < steps; ++i)
+                {
+                    step(*flow, dt);
+                }
+                staggeredField u(velocityOf(*flow, b));
+                scalar sum = 0;
+                for (direction d = 0; d < 3; ++d)
+                {
+                    const scalar mean = Foam::sum(u[d]) / u.box().count();
+                    sum += Foam::sumSqr(u[d] - mean);
+                }
+                return std::sqrt(sum);
+            };
+            const scalar before = noiseAfter(nSteps);
+            const scalar growth = noiseAfter(nSteps) / before;
+            char what[128];
+            std::snprintf(what, sizeof(what),
+                          "noise at %g of Courant number %.3f, nu %g, ", share,
+                          Co, f.nu);
+            if (share < 1)
+                test::expectBelow(what + std::string(f.controls), growth, 1);
+            else
+                test::expectBelow(what + std::string("not growing"), 1 / growth,
+                                  0.9);
+        }
+    }
+}
+
+TEST(StaggeredFlow, timeSchemeThatBearsTheStep)
+{
+    test::box b(labelVector(8, 8, 8), vector(8, 8, 8), periodic, 0.01);
+    b.start([](const vector& x)
+            { return vector(1 + 0.1 * std::sin(pi * x.y() / 4), 0, 0); });
+    const auto chosen =
+        [&](const char* controls, const scalar Co, const bool adjusted)
+    {
+        auto flow = b.flow(controls);
+        const scalar dt = Co / flow->CourantNo(1);
+        flow->chooseTimeScheme(dt, adjusted);
+        step(*flow, dt);
+        EXPECT_EQ(flow->nStages(), flow->timeScheme() == "RK3" ? 3 : 1);
+        return flow->timeScheme();
+    };
+    // AB2 bears (6.75 nu/(u h))^(1/3) = 0.39 less the terms of higher order
+    EXPECT_EQ(chosen("", 0.3, false), "AB2");
+    EXPECT_EQ(chosen("", 0.5, false), "RK3");
+    EXPECT_EQ(chosen("", 0.8, true), "AB2");
+    EXPECT_EQ(chosen("", 1.5, true), "RK3");
+    EXPECT_EQ(chosen("timeScheme AB2;", 1.5, true), "AB2");
+    EXPECT_EQ(chosen("timeScheme RK3;", 0.3, false), "RK3");
+    EXPECT_EQ(chosen("convection off;", 1.5, false), "AB2");
+}
+
 TEST(StaggeredFlow, PoiseuilleErrsByTheKnownAmount)
 {
     // Steady between walls at y = 0, 1: g y (1 - y)/(2 nu), plus g h^2/(8 nu)
