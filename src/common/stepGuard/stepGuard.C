@@ -19,8 +19,9 @@ scalarField rates(const surfaceScalarField& phi)
 } // namespace
 
 void Foam::stepGuard::expect(const scalar stable, const string& who,
-                             const bool isExplicit)
+                             const bool isExplicit, const string& remedy)
 {
+    remedy_ = remedy;
     stable_ = stable;
     who_ = who;
     largest_ = isExplicit ? 20 : GREAT;
@@ -75,12 +76,16 @@ void Foam::stepGuard::check(const scalar Co, const std::function<void()>& fill)
     if (Pstream::master())
     {
         WarningInFunction << "Courant number " << Foam::name(Co) << " at time "
-                          << time.timeName() << " is above " << stable_
+                          << time.timeName() << " is above "
+                          << Foam::name(stable_)
                           << ", the largest for " << who_.c_str() << nl
                           << "    Reduce deltaT from " << Foam::name(dt)
                           << " to less than " << Foam::name(stable_ * dt / Co)
                           << ", or write adjustTimeStep yes; maxCo "
-                          << 0.5 * stable_ << "; in system/controlDict" << endl;
+                          << Foam::name(0.5 * stable_)
+                          << "; in system/controlDict"
+                          << (remedy_.empty() ? "" : ", or ")
+                          << remedy_.c_str() << endl;
     }
 }
 

@@ -8,8 +8,9 @@
 namespace
 {
 //- Courant number that RK3 bears, and that AB2 is left whatever the viscosity: there a
-//  wave grows by e in 80 of its periods
-const Foam::scalar stableRK3 = 1.7, leastAB2 = 0.2;
+//  wave grows by e in 80 of its periods. Share of the damping by viscosity that AB2 may
+//  give back to a wave
+const Foam::scalar stableRK3 = 1.7, leastAB2 = 0.2, shareAB2 = 0.5;
 } // namespace
 
 Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
@@ -43,6 +44,7 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
     }
     mayTransform_ = diffusion_ == "FFT" ||
                     (diffusion_ == "auto" && bodies && nWalled < 2);
+    lags_ = diffusion_ == "auto" && bodies && nWalled > 1;
 
     // First, as making it takes memory for a moment
     poisson_.reset(new fastHelmholtz(grid_, sidesOf(grid_), block_.places()));
@@ -215,7 +217,8 @@ void Foam::staggeredFlow::chooseTimeScheme(const scalar deltaT,
     // Measured cost of a step of RK3 over one of AB2 (doc/methods.md)
     const scalar dearer = 2.3;
     if (timeScheme_ != "auto" || RK3_ || !convection_) return;
-    const scalar rate = CourantNo(1), borne = stableCourantNo() / rate;
+    const scalar rate = max(CourantNo(1), VSMALL),
+                 borne = stableCourantNo() / rate;
     const scalar gain =
         adjusted ? min(deltaT, stableRK3 / rate) / (dearer * borne)
                  : deltaT / borne;
@@ -246,6 +249,16 @@ void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
     explicit_ =
         diffusion_ == "explicit" || (diffusion_ == "auto" && number < below);
     transforms_ = mayTransform_ && (diffusion_ == "FFT" || number > 1);
+    if (lags_ && number > 2)
+    {
+        WarningInFunction
+            << "diffusion by ADI at nu dt/h^2 = " << Foam::name(number)
+            << " lags behind the forces of bodies; fast transforms need two "
+               "periodic directions"
+            << nl << "    Reduce deltaT from " << Foam::name(dt) << " to "
+            << Foam::name(2 * dt / number) << endl;
+        lags_ = false;
+    }
     if (!explicit_ && !implicit_[transforms_])
     {
         implicit_[transforms_].reset(new implicitDiffusion(grid_, transforms_));
@@ -361,15 +374,17 @@ Foam::scalar Foam::staggeredFlow::CourantNo(const scalar dt) const
 // A wave of central differences in a velocity u that is uniform around it turns by
 // w = sum_d u_d dt/h_d sin(theta_d) a step, grows with AB2 by w^4/4 and is damped by
 // 4 nu dt sum_d sin^2(theta_d/2)/h_d^2: none grows, the first of five cells, up to
-// dt^3 = 6.75 nu/(r |u|)^2. The square root: terms of higher order, fitted to the roots of
-// AB2 with Crank-Nicolson or explicit diffusion (tests/unit/flow)
+// dt^3 = 6.75 nu/(r |u|)^2. Up to half of that no wave gets back more than half of what
+// viscosity takes. The square root: terms of higher order, fitted to the roots of AB2 with
+// Crank-Nicolson or explicit diffusion (tests/unit/flow)
 Foam::scalar Foam::staggeredFlow::stableCourantNo() const
 {
     if (!convection_) return GREAT;
     if (RK3_) return stableRK3;
     const vector2D largest(largestRates());
     if (!(largest.y() > VSMALL && largest.x() < VGREAT)) return 1;
-    const scalar Co = largest.x() * std::cbrt(6.75 * nuMin_ / largest.y());
+    const scalar Co =
+        largest.x() * std::cbrt(shareAB2 * 6.75 * nuMin_ / largest.y());
     return min(scalar(1), max(leastAB2, Co / std::sqrt(1 + 0.8 * sqr(Co))));
 }
 
