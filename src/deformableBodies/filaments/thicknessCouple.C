@@ -122,7 +122,10 @@ void Foam::thicknessCouple::forces(const List<frame>& frames,
         }
         for (const vector& e : f.e)
         {
-            *F++ = 2.0 / 3 / radius_ * (dipole & e) * f.t;
+            // The mean of this and the last step: see the header
+            const scalar now = 2.0 / 3 / radius_ * (dipole & e);
+            *F = 0.5 * (now + (*F & f.t)) * f.t;
+            ++F;
         }
     }
 }
