@@ -118,6 +118,7 @@ Foam::bodyCollection::~bodyCollection()
         judgeIndicators(groups_[g].name(), groups_[g].indicators());
     }
     Info << endl;
+    if (interactions_) interactions_->judge();
     if (Pstream::parRun())
     {
         Info << "Bodies handed over between ranks: " << ownership_->handedOver()

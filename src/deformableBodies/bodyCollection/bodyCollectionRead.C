@@ -168,6 +168,8 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     readViscosityRatios(transport);
     given_.append(entriesOf(dict, {"FoamFile", "variables", "bodies", "restart",
                                    "removed", "sampleInterval", "wrap"}));
+    readLoads(
+        readDictIfThere(dict, "loads", "pull { type deadLoad; group ...; }"));
     dictionary interactions(
         dict, readDictIfThere(dict, "interactions", "repulsion {}"));
     string reason(interactions.empty() ? "none given"
@@ -186,8 +188,6 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     }
     effects_.declare("places", true,
                      "bodies that leave their block or the box, or come close");
-    readLoads(
-        readDictIfThere(dict, "loads", "pull { type deadLoad; group ...; }"));
 }
 
 Foam::dictionary Foam::bodyCollection::nucleiOf(const dictionary& group,

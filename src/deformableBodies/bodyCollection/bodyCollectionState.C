@@ -140,7 +140,7 @@ bool Foam::bodyCollection::writeData(Ostream& os) const
         }
         text << ");\n";
     }
-    if (interactions_ && interactions_->resists())
+    if (interactions_)
     {
         const string state(interactions_->state());
         text << stateEntries[3] << "\n{\n" << state << "}\n";

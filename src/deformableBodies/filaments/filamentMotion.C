@@ -62,8 +62,43 @@ void Foam::filamentGroup::observe(const vector* U)
         forAll(points_, k)
         {
             x.slip = max(x.slip, mag(points_[k](x.line.velocities()) - U[k]));
+            fastest_ = max(fastest_, mag(U[k]));
         }
         U += markersEach();
+    }
+    if (twoWay() && steps_ > 10 && !slipped_) judgeSlip();
+}
+
+void Foam::filamentGroup::judgeSlip()
+{
+    reduce(fastest_, maxOp<scalar>());
+    label worst = -1;
+    scalar most = max(0.25 * fastest_, 0.05 * h_ / step_);
+    forAll(mine(), i)
+    {
+        if (bodies_[i].slip <= most) continue;
+        most = bodies_[i].slip;
+        worst = i;
+    }
+    string where;
+    if (worst >= 0)
+    {
+        OStringStream os;
+        os.precision(4);
+        os << nameOf(worst).c_str() << " at " << centre(worst) << " slips by "
+           << most << " m/s, where the fluid at its group has "
+           << "moved at up to " << fastest_ << " m/s, at time " << now_;
+        where = os.str();
+    }
+    where = firstOf(where);
+    if (where.empty()) return;
+    slipped_ = true;
+    if (Pstream::master())
+    {
+        WarningInFunction
+            << where.c_str() << nl
+            << "    Its force is not that of a fibre in this flow:"
+            << " reduce deltaT" << endl;
     }
 }
 
@@ -263,6 +298,9 @@ Foam::string Foam::filamentGroup::move(const vector* U,
                                        const bodyStep& s)
 {
     const auto timing(scene_.effects.time("filament"));
+    ++steps_;
+    now_ = s.time;
+    step_ = s.dt;
     const label all = mine().size(), some = min(all, filament::together);
     List<filament::surroundings> around(some);
     // In one-way coupling the inertia of the fluid in its place is a force

@@ -5,6 +5,7 @@
 #include "mathematicalConstants.H"
 #include "pointBins.H"
 #include "resultFile.H"
+#include "sceneNumbers.H"
 #include "segmentDistance.H"
 #include "wallPolyPatch.H"
 
@@ -60,6 +61,8 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
       areas_(groups.size())
 {
     const dictionary& control = mesh.time().controlDict();
+    string from;
+    const flowScales flow(scalesAtStart(mesh, from));
     interactionScene about{scene.grid,
                            scene.mu,
                            control.found("deltaT")
@@ -67,11 +70,13 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
                                : mesh.time().deltaTValue(),
                            0,
                            0,
-                           GREAT};
+                           GREAT,
+                           List<contactLoad>()};
     forAll(groups_, g)
     {
         firstBody_[g + 1] = firstBody_[g] + groups_[g].nBodies();
         if (!takesPart(groups_[g])) continue;
+        about.loads.append(loadOf(g, flow, scene));
         scene.forces.append(new interactionForce(groups_[g].name(), *this, g));
 
         // Any one of the group
@@ -142,6 +147,66 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
             reduce(wall, orOp<bool>());
         }
     }
+}
+
+Foam::contactLoad Foam::bodyInteractions::loadOf(const label g,
+                                                 const flowScales& flow,
+                                                 const bodyScene& scene) const
+{
+    const bodyGroup& group = groups_[g];
+    const bodyPoints p(group.points(-1));
+    const scalar pi = constant::mathematical::pi;
+    contactLoad load{p.isSurface(), 0, 0, 0, 0, 0, 0, GREAT, ""};
+    scalar volume, size, square; // drag = load.drag U + square U^2
+    if (p.isSurface())
+    {
+        volume = sum(p.places & p.areas) / 3;
+        size = load.radius = std::cbrt(0.75 * volume / pi);
+        load.drag = 6 * pi * scene.mu * size;
+        square = 0.2 * pi * scene.rho * sqr(size);
+        load.mass = (group.densityRatio() + 0.5) * scene.rho * volume;
+        for (label soft = g; soft >= 0; soft = groups_[soft].host())
+        {
+            load.softness =
+                min(load.softness, groups_[soft].points(-1).stiffness / size);
+        }
+    }
+    else
+    {
+        const scalar L = sum(p.lengths);
+        load.radius = std::sqrt(p.crossSection / pi);
+        volume = p.crossSection * L;
+        size = 0.5 * L;
+        load.drag = 4 * pi * scene.mu * L /
+                    (std::log(max(L / load.radius, scalar(3))) + 0.193);
+        square = scene.rho * load.radius * L;
+        load.mass = (group.densityRatio() + 1) * scene.rho * volume;
+    }
+
+    for (label i = 0; i <= 8 && scene.forces.actOn(group.name(), 0); ++i)
+    {
+        vectorField F(p.places.size(), Zero);
+        scene.forces.add(
+            group.name(), 0, [&]() { return p; },
+            time_.startTime().value() + 0.125 * i * scene.duration,
+            scene.effects, F);
+        load.own = max(load.own, max(mag(sum(F)), 0.5 * sum(mag(F))));
+    }
+    const scalar byFlow = flow.rate > 0    ? flow.rate * size
+                          : flow.speed > 0 ? flow.speed
+                          : load.own > 0   ? 0
+                                           : scene.mu / (scene.rho * size);
+    load.force = load.own + load.drag * byFlow + square * sqr(byFlow);
+    load.speed = byFlow + (std::sqrt(sqr(load.drag) + 4 * square * load.own) -
+                           load.drag) /
+                              (2 * square);
+    OStringStream os;
+    os.precision(3);
+    os << group.name().c_str() << ": weight and loads " << load.own
+       << " N, flow " << load.force - load.own << " N, speed " << load.speed
+       << " m/s";
+    load.reason = os.str();
+    return load;
 }
 
 bool Foam::bodyInteractions::takesPart(const bodyGroup& group) const

@@ -61,7 +61,6 @@ void Foam::bodyInteractions::update()
     }
     if (returnReduce(!deepest.touching.empty(), orOp<bool>()))
         lookBehind(deepest);
-    warnOf(deepest);
 
     for (const participant& p : bodies_)
     {
@@ -71,13 +70,23 @@ void Foam::bodyInteractions::update()
             const scalar distance = toWall(X_[k], inward);
             if (distance >= range_) continue;
             const scalar radius = points_[k].radius;
+            scalar P = 0;
             for (const interactionModel& model : models_)
             {
-                F_.F[k] += model.ofWall(distance - radius, radius == 0) *
-                           points_[k].size * inward;
+                P += model.ofWall(distance - radius, radius == 0);
+            }
+            F_.F[k] += P * points_[k].size * inward;
+            if (P > 0 && distance < 0.8 * radius)
+            {
+                deepest.take(radius - distance, body_[k], -1, X_[k]);
+            }
+            else if (P > 0 && distance < 0)
+            {
+                deepest.take(-distance, body_[k], -1, X_[k]);
             }
         }
     }
+    warnOf(deepest);
     forAll(X_, k)
     {
         power_ += F_.F[k] & V_[k];
@@ -96,6 +105,14 @@ void Foam::bodyInteractions::collect(const participant& p)
         X_.setSize(first + n);
         V_.setSize(first + n);
         group.contactPoints(p.place, &X_[first], &V_[first]);
+        if (group.forcing() != forcingType::none)
+        {
+            const scalar dt = time_.deltaTValue();
+            for (label k = first; k < first + n; ++k)
+            {
+                X_[k] += dt * V_[k];
+            }
+        }
         body_.setSize(first + n, body);
         for (const scalar area : areas)
         {
@@ -104,7 +121,8 @@ void Foam::bodyInteractions::collect(const participant& p)
         return;
     }
     const bodyPoints points(group.points(p.place));
-    const vectorField &x = points.places, &v = points.velocities;
+    const vectorField& v = points.velocities;
+    const vectorField x(points.places + time_.deltaTValue() * v);
     interactingPoint point{
         0, std::sqrt(points.crossSection / constant::mathematical::pi)};
     const scalar h = cmptMax(grid_.h());
@@ -179,9 +197,9 @@ void Foam::bodyInteractions::look(const closePairs& pairs,
         const interactingPoint &x = points[p.first], &y = points[p.second];
         if (x.radius > 0 && y.radius > 0)
         {
-            // Axes within half the sum of the radii, where that is kept from
+            // Where something keeps them apart
             const scalar both = x.radius + y.radius;
-            if (linesActOn && apart < 0.5 * both)
+            if (linesActOn && apart < 0.9 * both)
                 deepest.take(both - apart, pairs, p);
         }
         else if (x.radius == 0 && y.radius == 0)
@@ -229,48 +247,93 @@ void Foam::bodyInteractions::lookBehind(overlap& deepest) const
     }
 }
 
+void Foam::bodyInteractions::overlap::take(const scalar deep, const label first,
+                                           const label second, const point& x)
+{
+    twos.insert({max(first, second), min(first, second)});
+    if (deep <= depth) return;
+    depth = deep;
+    body = first;
+    other = second;
+    at = x;
+}
+
 void Foam::bodyInteractions::overlap::take(const scalar deep,
                                            const closePairs& pairs,
                                            const closePairs::pair& p)
 {
-    if (deep <= depth) return;
     const auto bodyOf = [&](const label k)
     {
         const label number = pairs.body()[k];
         return number < 0 ? -1 - number : number;
     };
-    depth = deep;
-    body = bodyOf(p.first);
-    other = bodyOf(p.second);
-    at = pairs.here()[p.first];
+    take(deep, bodyOf(p.first), bodyOf(p.second), pairs.here()[p.first]);
 }
 
-void Foam::bodyInteractions::warnOf(const overlap& deepest)
+Foam::string Foam::bodyInteractions::describe(const overlap& deepest) const
 {
     const scalar all = returnReduce(deepest.depth, maxOp<scalar>());
-    if (all == 0 ||
-        (warned_ >= 0 && time_.timeIndex() < warned_ + stepGuard::pause))
-    {
-        return;
-    }
-    warned_ = time_.timeIndex();
     string where;
+    if (all == 0) return where;
     if (deepest.depth == all)
     {
         OStringStream os;
         os.precision(6);
         os << nameOf(deepest.body).c_str() << " and "
-           << nameOf(deepest.other).c_str() << " overlap by " << all << " at "
-           << deepest.at;
+           << (deepest.other < 0 ? string("a wall") : nameOf(deepest.other))
+                  .c_str()
+           << " overlap by " << all << " at " << deepest.at << ", at time "
+           << deepest.time;
         where = os.str();
     }
-    where = firstOf(where);
+    return firstOf(where);
+}
+
+void Foam::bodyInteractions::warnOf(overlap& deepest)
+{
+    deepest.time = time_.value();
+    deepest.twos.insert(overlaps_.twos.begin(), overlaps_.twos.end());
+    if (deepest.depth > overlaps_.depth)
+        overlaps_ = deepest;
+    else
+        overlaps_.twos.swap(deepest.twos);
+    if (warned_) return;
+    const string where(describe(deepest));
+    if (where.empty()) return;
+    warned_ = true;
     if (Pstream::master())
     {
         WarningInFunction
-            << where.c_str() << ", at time " << time_.timeName() << nl
+            << where.c_str() << nl
             << "    What keeps bodies apart has not held them: a larger "
-            << "strength or range of interactions, or a smaller deltaT, may"
-            << endl;
+            << "strength or range of interactions, or a smaller deltaT, may."
+            << " How many are, and how deep, is said at the end" << endl;
     }
+}
+
+void Foam::bodyInteractions::judge() const
+{
+    const string where(describe(overlaps_));
+    if (where.empty()) return;
+
+    // Ranks may know the same
+    List<labelList> ofRanks(Pstream::nProcs());
+    labelList& mine = ofRanks[Pstream::myProcNo()];
+    for (const auto& two : overlaps_.twos)
+    {
+        mine.append(labelList({two.first, two.second}));
+    }
+    Pstream::gatherList(ofRanks);
+    if (!Pstream::master()) return;
+    std::set<std::pair<label, label>> all;
+    for (const labelList& numbers : ofRanks)
+    {
+        for (label n = 0; n < numbers.size(); n += 2)
+        {
+            all.insert({numbers[n], numbers[n + 1]});
+        }
+    }
+    WarningInFunction << "pairs of bodies, or of bodies and walls, that "
+                      << "overlapped in this run: " << label(all.size())
+                      << "; deepest: " << where.c_str() << endl;
 }

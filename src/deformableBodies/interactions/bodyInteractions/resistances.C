@@ -170,6 +170,13 @@ Foam::string Foam::bodyInteractions::state() const
         text << groups_[g].name() << ' ' << body - firstBody_[g] << ' '
              << label(x[1]) << ' ';
     };
+    text << "    strengths\n    {\n";
+    for (const interactionModel& model : models_)
+    {
+        if (model.strength() == 0) continue;
+        text << "        " << model.type() << ' ' << model.strength() << ";\n";
+    }
+    text << "    }\n";
     for (const interactionModel& model : models_)
     {
         if (!model.resists()) continue;
@@ -205,6 +212,18 @@ Foam::string Foam::bodyInteractions::state() const
 void Foam::bodyInteractions::readState(const dictionary& saved,
                                        const boolList& initial)
 {
+    // What is known of the flow now would make other defaults
+    const dictionary strengths(saved.subOrEmptyDict("strengths"));
+    for (interactionModel& model : models_)
+    {
+        if (!strengths.found(model.type())) continue;
+        const scalar byDefault = model.strength();
+        model.keepStrength(strengths.get<scalar>(model.type()));
+        if (mag(model.strength() / byDefault - 1) < 1e-9) continue;
+        effects_.declare(model.type(), true,
+                         "as at the start of the run, strength " +
+                             Foam::name(model.strength()));
+    }
     List<scalarList> all(models_.size());
     forAll(models_, m)
     {

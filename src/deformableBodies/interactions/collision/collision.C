@@ -18,7 +18,25 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
     const scalar h = cmptMax(scene.grid.h());
     needFibres(dict.parent(), "collision", scene);
     const scalar borne = 0.25 * scene.mu * sqr(h) / scene.deltaT;
-    return contactLaw(dict, scene.grid, h, borne, dimForce, "mu h^2/(4 deltaT)",
+
+    // A fibre that crosses another stops within a quarter of the range, and rests at half
+    // of it (Morse)
+    const auto strength = [&](const scalar range)
+    {
+        contactStrength all{0, "mu h^2/(4 deltaT)", GREAT};
+        for (const contactLoad& load : scene.loads)
+        {
+            if (load.isSurface) continue;
+            all.deltaT = min(all.deltaT, load.borne(range));
+            const scalar S = load.force + 1.3 * load.energy() / range;
+            if (S <= all.value) continue;
+            all.value = S;
+            all.reason = load.reason;
+        }
+        if (all.value == 0) all.value = borne;
+        return all;
+    };
+    return contactLaw(dict, scene.grid, h, strength, dimForce, scene.deltaT,
                       borne);
 }
 } // namespace

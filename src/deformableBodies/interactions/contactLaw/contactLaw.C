@@ -5,19 +5,17 @@
 #include "judgedRatio.H"
 #include "mathematicalConstants.H"
 
-Foam::contactLaw::contactLaw(const dictionary& dict, const uniformGrid& grid,
-                             const scalar range, const scalar strength,
-                             const dimensionSet& dimensions,
-                             const string& reason, const scalar borne)
+Foam::contactLaw::contactLaw(
+    const dictionary& dict, const uniformGrid& grid, const scalar range,
+    const std::function<contactStrength(scalar)>& strength,
+    const dimensionSet& dimensions, const scalar deltaT, const scalar borne)
     : law_(readEnum(
           Enum<lawType>({{MORSE, "Morse"}, {EXPONENTIAL, "exponential"}}), dict,
           "law", MORSE)),
       range_(dict.found("range") ? readPositive(dict, "range", dimLength)
                                  : range),
-      strength_(dict.found("strength")
-                    ? readPositive(dict, "strength", dimensions)
-                    : strength),
-      reason_(dict.found("strength") ? string("given") : reason)
+      strength_(0),
+      given_(dict.found("strength"))
 {
     checkEntries(dict, {"law", "range", "strength"});
     const scalar h = cmptMax(grid.h()), most = 0.5 * cmptMin(grid.length());
@@ -27,6 +25,23 @@ Foam::contactLaw::contactLaw(const dictionary& dict, const uniformGrid& grid,
                Foam::name(0.5 * h) + " (half a cell) to " + Foam::name(most) +
                    " (half the box)");
     }
+    const contactStrength otherwise(strength(range_));
+    strength_ = otherwise.value;
+    reason_ = otherwise.reason;
+    if (deltaT > 1.05 * otherwise.deltaT)
+    {
+        IOWarningInFunction(dict)
+            << "contacts of this scene (" << reason_.c_str()
+            << ") are too stiff for deltaT " << deltaT << nl
+            << "    Bodies in contact may swing or pass each other: reduce "
+               "deltaT to "
+            << otherwise.deltaT << ", or take a larger range than " << range_
+            << endl;
+    }
+    if (!given_) return;
+
+    strength_ = readPositive(dict, "strength", dimensions);
+    reason_ = "given";
     judge(dict, {{"strength", "strength/" + Foam::name(borne),
                   strength_ / borne, 0, GREAT, 0, 10,
                   "a contact stiffer than deltaT bears throws bodies apart"}});

@@ -188,11 +188,12 @@ void Foam::lubrication::resist(const closePairs& pairs,
             M += implicit[j];
         }
         lowerFirst(which);
-        const auto last = forces_.find(which);
         scalar F = 0;
-        if (last != forces_.end())
+        if (!forces_.empty())
         {
-            F = last->second.force * min(scalar(1), f.k / last->second.k);
+            const remembered& last = forces_[placeOf(which)];
+            if (last.which[0] >= 0)
+                F = last.force * min(scalar(1), f.k / last.k);
         }
         F += (-f.k * (f.n & v) - F) / (1 + M);
 
@@ -205,7 +206,7 @@ void Foam::lubrication::resist(const closePairs& pairs,
         }
         const auto file = [&](const label at)
         {
-            X.append(pairs.holdingPlace(at));
+            if (Pstream::parRun()) X.append(pairs.holdingPlace(at));
             for (const label x : which)
             {
                 entries.append(x);
@@ -216,31 +217,58 @@ void Foam::lubrication::resist(const closePairs& pairs,
         file(i);
         if (f.bothHeld && Pstream::parRun()) file(j);
     }
+    if (!Pstream::parRun())
+    {
+        remember(entries);
+        return;
+    }
     copies_.place(X, 2);
     remember(copies_.handOut(entries.cdata(), 6));
 }
 
 Foam::scalarList Foam::lubrication::memory() const
 {
-    scalarList all(6 * forces_.size());
-    scalar* at = all.data();
-    for (const auto& f : forces_)
+    DynamicList<scalar> all(6 * forces_.size());
+    for (const remembered& f : forces_)
     {
-        at = std::copy(f.first.begin(), f.first.end(), at);
-        *at++ = f.second.force;
-        *at++ = f.second.k;
+        if (f.which[0] < 0) continue;
+        for (const label x : f.which)
+        {
+            all.append(x);
+        }
+        all.append(f.force);
+        all.append(f.k);
     }
-    return all;
+    return scalarList(std::move(all));
+}
+
+size_t Foam::lubrication::placeOf(const key& which) const
+{
+    size_t i = 0;
+    for (const label x : which)
+    {
+        i = i * 1000003 + size_t(x);
+    }
+    i ^= i >> 17;
+    const size_t mask = forces_.size() - 1;
+    for (i &= mask; forces_[i].which[0] >= 0 && forces_[i].which != which;)
+    {
+        i = (i + 1) & mask;
+    }
+    return i;
 }
 
 void Foam::lubrication::remember(const scalarList& all)
 {
-    forces_.clear();
+    size_t size = 4;
+    while (3 * size < size_t(all.size()))
+        size *= 2;
+    forces_.assign(size, {{{-1, -1, -1, -1}}, 0, 0});
     for (label n = 0; n < all.size(); n += 6)
     {
         const scalar* x = &all[n];
         key which{label(x[0]), label(x[1]), label(x[2]), label(x[3])};
         lowerFirst(which);
-        forces_[which] = {x[4], x[5]};
+        forces_[placeOf(which)] = {which, x[4], x[5]};
     }
 }

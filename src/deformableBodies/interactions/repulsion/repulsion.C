@@ -3,6 +3,7 @@
 #include "repulsion.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
+#include "mathematicalConstants.H"
 
 namespace Foam
 {
@@ -13,6 +14,25 @@ addToRunTimeSelectionTable(interactionModel, repulsion, dictionary);
 namespace
 {
 using namespace Foam;
+const scalar pi = constant::mathematical::pi;
+
+//- S with which a sphere on a plane, on which it exerts 2 pi a int P, stops within a
+//  quarter of the range, and carries its load at half of it (Morse)
+contactStrength strengthFor(const contactLoad& load, const scalar range)
+{
+    const scalar a = load.radius;
+    scalar S = (load.force / 0.81 + 1.5 * load.energy() / range) / (a * range);
+    string reason(load.reason);
+
+    // Membranes give way until their own stress carries the load
+    const scalar soft = max(5 * load.softness, load.own / (pi * sqr(a)));
+    if (soft < S)
+    {
+        S = soft;
+        reason = "5 Gs/a";
+    }
+    return {S, reason, load.borne(range)};
+}
 
 contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
 {
@@ -22,16 +42,24 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
                "scenes with capsules or rigid bodies that act on the fluid; "
                "between fibres collision and lubrication act");
     }
-    scalar strength = 5 * scene.softest;
-    string reason("5 Gs/a");
-    const scalar borne = 0.25 * scene.mu / scene.deltaT;
-    if (borne < strength)
+    const auto strength = [&](const scalar range)
     {
-        strength = borne;
-        reason = "mu/(4 deltaT)";
-    }
+        contactStrength all{0, "5 Gs/a", GREAT};
+        for (const contactLoad& load : scene.loads)
+        {
+            if (!load.isSurface) continue;
+            const contactStrength s(strengthFor(load, range));
+            all.deltaT = min(all.deltaT, s.deltaT);
+            if (s.value <= all.value) continue;
+            all.value = s.value;
+            all.reason = s.reason;
+        }
+        if (all.value == 0) all.value = 5 * scene.softest;
+        return all;
+    };
     return contactLaw(dict, scene.grid, 1.5 * cmptMax(scene.grid.h()), strength,
-                      dimPressure, reason, borne);
+                      dimPressure, scene.deltaT,
+                      0.25 * scene.mu / scene.deltaT);
 }
 } // namespace
 
@@ -40,6 +68,11 @@ Foam::repulsion::repulsion(const dictionary& dict,
     : law_(lawOf(dict, scene)),
       thickest_(scene.thickest),
       description_(law_.describe("Pa", scene.grid))
+{
+    tabulate();
+}
+
+void Foam::repulsion::tabulate()
 {
     table_.setSize(2000);
     forAll(table_, i)
