@@ -59,7 +59,7 @@ def clock(t):
 
 
 def dictionary(file, *arguments):
-    done = subprocess.run(["foamDictionary", file, "-disableFunctionEntries", *arguments],
+    done = subprocess.run(["foamDictionary", file, "-disableFunctionEntries", "-precision", "17", *arguments],
                           stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, universal_newlines=True)
     return done.stdout if done.returncode == 0 else None
 
@@ -150,6 +150,7 @@ def fingerprint(case):
 class Runs:
     def __init__(self, options):
         self.case, self.out = os.path.abspath(options.case), options.out
+        self.places = None
         self.quantity, self.group, self.always = options.quantity, options.group, options.always
         self.started, self.budget = time.time(), seconds(options.budget) if options.budget else math.inf
         self.running = set()
@@ -230,10 +231,42 @@ class Runs:
         os.rename(record + ".part", record)
         return dict(result, **self.read(folder))
 
+    def placesOfCase(self):
+        """The random places of the case as it stands, by seedBodies: of each group with a
+        placement its dictionary and file. All runs start from these: on another mesh the same
+        seed may give other places."""
+        if self.places is None:
+            self.places = {}
+            bodies = os.path.join(self.case, "constant/deformableBodies")
+            groups = (dictionary(bodies, "-entry", "bodies", "-keywords") or "").split()
+            groups = [g for g in groups if dictionary(bodies, "-entry", "bodies/%s/placement" % g) is not None]
+            if groups:
+                folder = os.path.join(self.out, "places")
+                shutil.rmtree(folder, ignore_errors=True)
+                copyCase(self.case, folder)
+                for name, value in self.always:
+                    change(folder, name, value)
+                for program in ("blockMesh", "seedBodies"):
+                    if program == "blockMesh" and not os.path.exists(folder + "/system/blockMeshDict"):
+                        continue
+                    with open("%s/log.%s" % (folder, program), "w") as log:
+                        if subprocess.run([program], cwd=folder, stdout=log, stderr=log).returncode != 0:
+                            raise Failed("%s stopped (%s)" % (program, log.name))
+                self.places = {g: "%s/constant/%sPlaces" % (folder, g) for g in groups}
+        return self.places
+
     def once(self, folder, changes):
         """Core seconds of the solver on a copy of the case with changes."""
         shutil.rmtree(folder, ignore_errors=True)
         copyCase(self.case, folder)
+        if not any("placement" in name for name, _ in changes):
+            bodies = "constant/deformableBodies"
+            for group, file in self.placesOfCase().items():
+                put(folder, bodies, "bodies/%s/placesFrom" % group, '"%s"' % file)
+                change(folder, "%s:bodies/%s/placement" % (bodies, group), None)
+                text = open(os.path.join(folder, bodies)).read()
+                with open(os.path.join(folder, bodies), "w") as f:
+                    f.write(re.sub(r'placesFrom\s+("[^"]*");', r"#include \1", text))
         for name, value in changes:
             change(folder, name, value)
         if os.path.isdir(folder + "/0.orig"):

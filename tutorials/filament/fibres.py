@@ -30,9 +30,9 @@ def shapes(group):
     import vtk
     from vtk.util.numpy_support import vtk_to_numpy
     all_ = []
-    for entry in json.load(open(f"VTK/bodies/{group}.vtp.series"))["files"]:
+    for entry in json.load(open(f"postProcessing/VTK/bodies/{group}.vtp.series"))["files"]:
         reader = vtk.vtkXMLPolyDataReader()
-        reader.SetFileName("VTK/bodies/" + entry["name"])
+        reader.SetFileName("postProcessing/VTK/bodies/" + entry["name"])
         reader.Update()
         x = vtk_to_numpy(reader.GetOutput().GetPoints().GetData())
         all_.append((entry["time"], x))

@@ -17,6 +17,9 @@ Description
     within the step (in pimple with the last); they act at the faces, where their
     force is balanced against the pressure gradient.
 
+    With -postProcess the bodies are drawn again from the states of the times chosen, in
+    postProcessing/VTK/bodies, beside what the functionObjects do.
+
     Without constant/deformableBodies it is pimpleFoam on a static mesh.
 
 Usage
@@ -52,6 +55,7 @@ int main(int argc, char* argv[])
                      " bodies (capsules, filaments) by the immersed boundary"
                      " method.");
 
+    #define CREATE_FIELDS_2 drawBodies.H
     #include "postProcess.H"
 
     argList::addBoolOption("dry-run", "Read and judge the case, on its own mesh,"
@@ -85,8 +89,6 @@ int main(int argc, char* argv[])
     {
         #include "checkCourantNo.H"
     }
-
-    turbulence->validate();
 
     if (args.found("dry-run"))
     {

@@ -297,7 +297,7 @@ Foam::fileName Foam::misplacedFile(const IOobject& io)
     return found;
 }
 
-Foam::fileName Foam::outputFolder(const polyMesh& mesh, const word& folder)
+Foam::fileName Foam::outputFolder(const polyMesh& mesh, const fileName& folder)
 {
     return mesh.time().globalPath() / folder / mesh.dbDir();
 }

@@ -24,6 +24,21 @@ void Foam::checkEntries(const dictionary& dict, const wordList& allowed)
     }
 }
 
+Foam::wordList Foam::withCoeffs(const dictionary& dict, wordList allowed,
+                                const wordList& functions)
+{
+    for (const word& name : functions)
+    {
+        const entry* function = dict.findEntry(name, keyType::LITERAL);
+        if (function && function->isStream() && function->stream().size() &&
+            function->stream()[0].isWord())
+        {
+            allowed.append(name + "Coeffs");
+        }
+    }
+    return allowed;
+}
+
 void Foam::refuse(const dictionary& dict, const word& name, const string& value,
                   const string& allowed)
 {
@@ -33,10 +48,34 @@ void Foam::refuse(const dictionary& dict, const word& name, const string& value,
         << "    allowed: " << allowed.c_str() << exit(FatalIOError);
 }
 
+void Foam::checkDimensions(const dictionary& dict, const word& name,
+                           const dimensionSet& dims)
+{
+    ITstream is(dict.lookup(name));
+    is.rewind();
+    token first(is);
+    if (first.isWord()) is >> first;
+    if (first != token::BEGIN_SQR) return;
+    is.putBack(first);
+    const dimensionSet given(is);
+    if (given == dims) return;
+    OStringStream allowed;
+    allowed << dims;
+    refuse(dict, name, valueOf(*dict.findEntry(name)),
+           "dimensions " + allowed.str() + ", or a number without");
+}
+
+Foam::scalar Foam::readNumber(const dictionary& dict, const word& name,
+                              const dimensionSet& dims)
+{
+    checkDimensions(dict, name, dims);
+    return dimensionedScalar(name, dims, dict).value();
+}
+
 Foam::scalar Foam::readPositive(const dictionary& dict, const word& name,
                                 const dimensionSet& dims)
 {
-    const scalar value = dimensionedScalar(name, dims, dict).value();
+    const scalar value = readNumber(dict, name, dims);
     if (!(value > 0))
     {
         refuse(dict, name, Foam::name(value), "numbers greater than 0");

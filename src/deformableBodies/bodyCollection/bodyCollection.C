@@ -3,10 +3,10 @@
 #include "bodyCollection.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
+#include "functionTimes.H"
 #include "fvc.H"
 #include "repeatedDictionary.H"
 #include "sceneNumbers.H"
-#include "writtenObject.H"
 
 namespace Foam
 {
@@ -79,10 +79,12 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
     places_.reset(
         new bodyPlaces(mesh, groups_, *markers_, interactions_.get()));
     places_->checkStart(dict);
-    forceField_.reset(new writtenObject<volVectorField>(
-        "bodyForce", "", mesh,
-        [this](Ostream& os) { fluidForce()().writeData(os); },
-        IOobject::NO_WRITE));
+    if (isNamed("bodyForce", mesh.time()))
+    {
+        forceField_.reset(new volVectorField(
+            IOobject("bodyForce", mesh.time().timeName(), mesh), mesh,
+            dimensionedVector(dimForce / dimVolume, Zero)));
+    }
     const bool wrap = dict.getOrDefault<bool>("wrap", false);
     writer_.reset(
         new bodyWriter(mesh, groups_, effects_,
@@ -217,7 +219,7 @@ void Foam::bodyCollection::describe() const
     effects_.printEffects();
     if (empty()) return;
     List<expectedErrors> errors(
-        this->errors(printSceneNumbers(mesh_, rho_, nu_, groups_)));
+        this->errors(printSceneNumbers(mesh_, rho_, *nu_, groups_)));
     bool fresh = false;
     forAll(groups_, g)
     {
@@ -236,6 +238,7 @@ void Foam::bodyCollection::start()
     describe();
     if (empty()) return;
     writer_->start();
+    if (!contrast_) nu_->compare(groups_);
 }
 
 void Foam::bodyCollection::checkDeltaT()

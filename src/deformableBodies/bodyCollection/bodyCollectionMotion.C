@@ -52,7 +52,8 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
             }
             // Diffusion in a solver of which no more is known
             move(direct, false,
-                 impulseFractionOf(forcing, grid_.diffusionNumber(nu_, dt)));
+                 impulseFractionOf(forcing,
+                                   grid_.diffusionNumber(nu_->value(), dt)));
             collectLoads(direct);
             spread(force);
         }

@@ -42,7 +42,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
 {
     const wordList beside({"sampleInterval", "accuracy", "kernel", "coupling",
                            "interactions", "loads", "wrap", "restart",
-                           "removed", "outside"});
+                           "removed", "outside", "nu"});
     wordList allowed({"FoamFile", "variables", "bodies"});
     allowed.append(beside);
     checkEntries(dict, allowed);
@@ -51,7 +51,17 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
         IOobject("transportProperties", mesh_.time().constant(), mesh_,
                  IOobject::MUST_READ, IOobject::NO_WRITE, false));
     rho_ = readPositive(transport, "rho", dimDensity);
-    nu_ = readPositive(transport, "nu", dimViscosity);
+    nu_.reset(new fluidViscosity(mesh_, transport, dict));
+    dictionary saved;
+    fileName file;
+    const bool continues =
+        mesh_.time().value() > 0 &&
+        dict.getOrDefault<word>("restart", "continue") != "initial";
+    if (nu_->isMean() && continues && findState(saved, file))
+    {
+        const dictionary before(saved.subOrEmptyDict(stateEntries[2]));
+        if (before.found("nu")) nu_->restore(before.get<scalar>("nu"));
+    }
 
     neighbours_.reset(new blockNeighbours(grid_));
     ownership_.reset(new bodyOwnership(*neighbours_));
@@ -63,7 +73,7 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
                           markers_->kernel(),
                           solverBalances_,
                           rho_,
-                          rho_ * nu_,
+                          rho_ * nu_->value(),
                           readGravity(),
                           expectedDeltaT(),
                           adjusted(),
@@ -304,7 +314,8 @@ void Foam::bodyCollection::readViscosityRatios(const dictionary& transport)
             refuse(transport, "transportModel", model,
                    "Newtonian where bodies have a viscosityRatio");
         }
-        contrast_.reset(new viscosityContrast(mesh_, nu_, ratios));
+        contrast_.reset(new viscosityContrast(
+            mesh_, readPositive(transport, "nu", dimViscosity), ratios));
     }
     effects_.declare("viscosityRatio", bool(contrast_),
                      contrast_ ? "up to " + Foam::name(max(ratios)) +

@@ -7,6 +7,7 @@
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
 #include "fileOperation.H"
+#include "functionTimes.H"
 #include "IFstream.H"
 #include "lastStep.H"
 #include <iomanip>
@@ -38,7 +39,8 @@ void Foam::bodyCollection::restore(const snapshot& s)
     }
     if (interactions_) interactions_->remember(s.interactions);
     trouble_.clear();
-    diverged_ = outside_ = false;
+    diverged_ = false;
+    fate_ = bodyPlaces::INSIDE;
 }
 
 void Foam::bodyCollection::lookAtPlaces()
@@ -46,14 +48,21 @@ void Foam::bodyCollection::lookAtPlaces()
     if (empty() || diverged_ || lastLooked_ == mesh_.time().timeIndex()) return;
     lastLooked_ = mesh_.time().timeIndex();
     const auto timing(effects_.time("places"));
-    trouble_ = places_->look();
-    outside_ = diverged_ = returnReduce(!trouble_.empty(), orOp<bool>());
+    const label here = places_->look(trouble_);
+    const label worst = returnReduce(here, maxOp<label>());
+    if (here < worst) trouble_.clear();
+    fate_ = bodyPlaces::fate(worst);
+    diverged_ = fate_ != bodyPlaces::INSIDE;
 }
 
 void Foam::bodyCollection::sample()
 {
     const Time& time = mesh_.time();
     lookAtPlaces();
+    if (forceField_ && !diverged_ && isLookedAt("bodyForce", time))
+    {
+        *forceField_ = fluidForce();
+    }
     if (empty() || diverged_ || !sampleDue() ||
         lastSampled_ == time.timeIndex())
     {
@@ -61,23 +70,42 @@ void Foam::bodyCollection::sample()
     }
     lastSampled_ = time.timeIndex();
     writer_->sample(time.value());
+    if (!contrast_) nu_->compare(groups_);
     if (interactions_) interactions_->sample();
+}
+
+void Foam::bodyCollection::draw()
+{
+    if (empty()) return;
+    ownership_->migrate(groups_);
+    writer_->draw(mesh_.time().value(), mesh_.time().timeIndex());
 }
 
 void Foam::bodyCollection::stop()
 {
     const Time& time = mesh_.time();
     const string trouble(firstOf(trouble_));
-    lastStep::writeBeforeStop(time, outside_ ? string() : trouble);
+    const bool left = fate_ == bodyPlaces::LEFT;
+    const bool pressed = fate_ == bodyPlaces::PRESSED;
+    lastStep::writeBeforeStop(time, left || pressed ? string() : trouble);
     firstRankSpeaks();
     FatalErrorInFunction
-        << "a body " << (outside_ ? "left the box" : "diverged") << " at time "
-        << time.timeName() << ": " << trouble.c_str() << nl
+        << "a body "
+        << (left      ? "left the box"
+            : pressed ? "was pressed through a wall"
+                      : "diverged")
+        << " at time " << time.timeName() << ": " << trouble.c_str() << nl
         << "    What it looked like has been written to time "
         << time.timeName()
-        << (outside_ ? "; with outside remove; in its group the run goes on "
-                       "from there without it"
-                     : "; go on from an earlier time with a smaller deltaT")
+        << (pressed
+                ? "; stronger repulsion in interactions holds it, a smaller "
+                  "deltaT bears that"
+            : left ? ""
+                   : "; go on from an earlier time with a smaller deltaT")
+        << (left || pressed
+                ? "; with outside remove; in its group the run goes "
+                  "on from there without it"
+                : "")
         << exit(FatalError);
 }
 
@@ -86,7 +114,9 @@ bool Foam::bodyCollection::writeData(Ostream& os) const
     // 17 digits carry a double exactly; the file is text whatever writeFormat
     std::ostringstream text;
     text << std::setprecision(17);
-    if (diverged_ && !outside_) text << "diverged true;\n";
+    const bool outside =
+        fate_ == bodyPlaces::LEFT || fate_ == bodyPlaces::PRESSED;
+    if (diverged_ && !outside) text << "diverged true;\n";
     const auto given = [&](const givenEntries& entries)
     {
         OStringStream os;
@@ -103,6 +133,7 @@ bool Foam::bodyCollection::writeData(Ostream& os) const
     }
     text << " );\n";
     given(given_.last());
+    if (nu_->isMean()) text << "    nu " << nu_->value() << ";\n";
     if (accuracy_.wanted > 0 && wantedDeltaT_ < GREAT)
     {
         text << "    accuracy " << accuracy_.wanted << ";\n    deltaT "
@@ -216,7 +247,8 @@ Foam::bodyCollection::statesOf(const bodyGroup& group,
                                const dictionary& saved) const
 {
     const word& name = group.name();
-    const auto differs = [&](const string& what, const string& now)
+    const auto differs = [&](const string& what, const string& now,
+                             const string& remedy = string())
     {
         firstRankSpeaks();
         FatalIOErrorInFunction(saved)
@@ -226,7 +258,8 @@ Foam::bodyCollection::statesOf(const bodyGroup& group,
             << "initial; in group "
             << (group.host() < 0 ? name : groups_[group.host()].name())
             << " to start it from "
-            << "constant/deformableBodies" << exit(FatalIOError);
+            << "constant/deformableBodies" << remedy.c_str()
+            << exit(FatalIOError);
     };
     if (!saved.found(name)) differs("no group " + name, "has one");
 
@@ -244,9 +277,15 @@ Foam::bodyCollection::statesOf(const bodyGroup& group,
         const scalar then = facts.getOrDefault<scalar>(fact.first(), now);
         if (mag(then - now) > 1e-6 * mag(now))
         {
+            const bool isEntry =
+                fact.first() == "harmonics" || fact.first() == "segments";
             differs("group " + name + " with " + fact.first() + ' ' +
                         Foam::name(then),
-                    "one with " + Foam::name(now));
+                    "one with " + Foam::name(now),
+                    isEntry ? ", or " + fact.first() + ' ' + Foam::name(then) +
+                                  "; there to go on with it, as its default "
+                                  "is that of the mesh"
+                            : string());
         }
     }
     const List<scalarList> states(saved.get<List<scalarList>>(name));

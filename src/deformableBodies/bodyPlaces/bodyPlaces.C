@@ -4,6 +4,7 @@
 #include "dictionaryChecks.H"
 #include "processorPolyPatch.H"
 #include "Time.H"
+#include "wallPolyPatch.H"
 
 Foam::bodyPlaces::bodyPlaces(const fvMesh& mesh, PtrList<bodyGroup>& groups,
                              markerSet& markers,
@@ -17,6 +18,7 @@ Foam::bodyPlaces::bodyPlaces(const fvMesh& mesh, PtrList<bodyGroup>& groups,
       wallNamed_(groups.size(), false),
       nearWall_(groups.size(), false)
 {
+    isWall_ = FixedList<bool, 2>(false);
     // Not periodic: patches of the box, and those of walls inside it
     string inside;
     for (const polyPatch& patch : mesh.boundaryMesh())
@@ -43,6 +45,7 @@ Foam::bodyPlaces::bodyPlaces(const fvMesh& mesh, PtrList<bodyGroup>& groups,
                 if (!returnReduce(at[d][s], orOp<bool>())) continue;
                 string& names = sides_[d][s];
                 names += (names.empty() ? "" : ", ") + patch.name();
+                isWall_[d][s] = isWall_[d][s] || isA<wallPolyPatch>(patch);
             }
         }
         if (returnReduce(isInside, orOp<bool>()))
@@ -86,7 +89,7 @@ Foam::label Foam::bodyPlaces::pairOf(const label g, const label h) const
 }
 
 Foam::string Foam::bodyPlaces::through(const boundBox& bounds,
-                                       const scalar cells) const
+                                       const scalar cells, bool* isWall) const
 {
     for (direction d = 0; d < 3; ++d)
     {
@@ -95,7 +98,8 @@ Foam::string Foam::bodyPlaces::through(const boundBox& bounds,
         const scalar beyond[2] = {lo - bounds.min()[d], bounds.max()[d] - hi};
         for (label s = 0; s < 2; ++s)
         {
-            if (!(beyond[s] > cells * grid_.h()[d])) continue;
+            if (beyond[s] <= cells * grid_.h()[d]) continue; // NaN is outside
+            if (isWall) *isWall = isWall_[d][s];
             OStringStream os;
             os.precision(6);
             os << "patch " << sides_[d][s].c_str() << ": it extends to "
@@ -108,16 +112,34 @@ Foam::string Foam::bodyPlaces::through(const boundBox& bounds,
     return "";
 }
 
-Foam::string Foam::bodyPlaces::look()
+Foam::string Foam::bodyPlaces::divergence(const bodyGroup& group,
+                                          const label i) const
 {
-    string trouble;
+    const boundBox bounds(group.bounds(i, true));
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar length = bounds.span()[d];
+        if (grid_.periodic(d) || length <= grid_.length()[d]) continue;
+        return "it is " + Foam::name(length) + " m long in " +
+               vector::componentNames[d];
+    }
+    const scalar cells = time_.deltaTValue() *
+                         max(mag(group.points(i).velocities)) /
+                         cmptMin(grid_.h());
+    return cells <= 1 ? ""
+                      : "it moves by " + Foam::name(cells) + " cells in a step";
+}
+
+Foam::bodyPlaces::fate Foam::bodyPlaces::look(string& trouble)
+{
+    fate worst = INSIDE;
     if (anySides_)
     {
-        trouble = removeOutside();
+        worst = removeOutside(trouble);
         if (anyForcing_) warnOfWalls();
     }
     if (steps_++ % 50 == 0 && pairNamed_.found(false)) warnOfClose();
-    return trouble;
+    return worst;
 }
 
 // Nuclei go with their capsules, and capsules with their nuclei
@@ -157,9 +179,10 @@ Foam::string Foam::bodyPlaces::removeOrphans()
     return removed;
 }
 
-Foam::string Foam::bodyPlaces::removeOutside()
+Foam::bodyPlaces::fate Foam::bodyPlaces::removeOutside(string& trouble)
 {
-    string trouble, removed;
+    string removed;
+    fate worst = INSIDE;
     forAll(groups_, g)
     {
         bodyGroup& group = groups_[g];
@@ -172,17 +195,24 @@ Foam::string Foam::bodyPlaces::removeOutside()
 
             // Not for the round-off of what is held at a wall
             if (through(bounds, 1e-6).empty()) continue;
-            const string where(through(group.bounds(i, true), 1e-6));
+            bool isWall = false;
+            const string where(through(group.bounds(i, true), 1e-6, &isWall));
             if (where.empty()) continue;
-            const string what(group.nameOf(i) + " reaches through " + where);
-            if (group.removesOutside())
+            const string diverged(divergence(group, i));
+            const fate now = !diverged.empty() ? DIVERGED
+                             : isWall          ? PRESSED
+                                               : LEFT;
+            const string what(group.nameOf(i) + " reaches through " + where +
+                              (diverged.empty() ? "" : "; " + diverged));
+            if (group.removesOutside() && now != DIVERGED)
             {
                 removed +=
                     "Removed at time " + time_.timeName() + ": " + what + "\n";
                 group.release(i);
             }
-            else if (trouble.empty())
+            else if (now > worst)
             {
+                worst = now;
                 trouble = what;
             }
         }
@@ -198,7 +228,7 @@ Foam::string Foam::bodyPlaces::removeOutside()
             Info << lines.c_str();
         }
     }
-    return trouble;
+    return worst;
 }
 
 void Foam::bodyPlaces::warnOfWalls()

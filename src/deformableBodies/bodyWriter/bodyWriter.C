@@ -22,7 +22,7 @@ Foam::bodyWriter::bodyWriter(const fvMesh& mesh,
                              const uniformGrid* wrapInto)
     : time_(mesh.time()),
       region_(mesh.dbDir()),
-      pictures_(outputFolder(mesh, "VTK") / "bodies"),
+      pictures_(outputFolder(mesh, "postProcessing/VTK") / "bodies"),
       groups_(groups),
       effects_(effects),
       startTime_(time_.value()),
@@ -30,7 +30,7 @@ Foam::bodyWriter::bodyWriter(const fvMesh& mesh,
       wrapInto_(wrapInto)
 {
     effects_.declare("samples", true, note);
-    effects_.declare("pictures", true, "VTK/bodies");
+    effects_.declare("pictures", true, "postProcessing/VTK/bodies");
 }
 
 void Foam::bodyWriter::start()

@@ -13,6 +13,28 @@ defineTypeNameAndDebug(capsuleGroup, 0);
 addToRunTimeSelectionTable(bodyGroup, capsuleGroup, dictionary);
 } // namespace Foam
 
+namespace
+{
+//- Enclosed by a surface [m^3], whichever way it turns
+Foam::scalar volumeOf(const Foam::sphericalHarmonics& grid,
+                      const std::vector<double>& coeffs)
+{
+    using namespace Foam;
+    const label n = grid.nPoints();
+    std::vector<double> x(3 * n), t(3 * n), p(3 * n);
+    grid.values(coeffs.data(), x.data());
+    grid.gradient(coeffs.data(), t.data(), p.data());
+    const auto at = [n](const std::vector<double>& v, const label k)
+    { return vector(v[k], v[n + k], v[2 * n + k]); };
+    scalar volume = 0;
+    for (label k = 0; k < n; ++k)
+    {
+        volume += grid.weight(k) / 3 * (at(x, k) & (at(t, k) ^ at(p, k)));
+    }
+    return mag(volume);
+}
+} // namespace
+
 Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                                  const bodyScene& scene)
     : bodyGroup(name, dict, scene)
@@ -147,7 +169,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     checkEntries(bend, {"modulus", "reference"});
     const scalar modulus =
         dict.found("bending")
-            ? dimensionedScalar("modulus", dimForce * dimLength, bend).value()
+            ? readNumber(bend, "modulus", dimForce * dimLength)
             : 0;
     if (modulus < 0)
     {
@@ -189,15 +211,23 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
 }
 
 // The ellipsoid around the shape: that of the shape's extents about its own axis,
-// grown in proportion until all points are in it
+// grown in proportion until all points are in it. Shape and volume are those of a
+// series of fixed degree: random places do not depend on harmonics and markers
 void Foam::capsuleGroup::readStart(const dictionary& dict)
 {
     const vector axis(
         dict.subDict("shape").getOrDefault<vector>("axis", vector(0, 0, 1)));
     axis_ = axis / mag(axis);
-    vectorField X(markers_->size());
-    markers_->values(initial_.data(), X.data());
-    X = turnTo(axis_).T() & X;
+    const sphericalHarmonics grid(32, 66);
+    const numbers shape(initialShape(dict.subDict("shape"), grid));
+    const label n = grid.nPoints();
+    numbers x(3 * n);
+    grid.values(shape.data(), x.data());
+    vectorField X(n);
+    forAll(X, k)
+    {
+        X[k] = turnTo(axis_).T() & vector(x[k], x[n + k], x[2 * n + k]);
+    }
     vector semiAxes(Zero);
     for (const vector& x : X)
     {
@@ -213,7 +243,7 @@ void Foam::capsuleGroup::readStart(const dictionary& dict)
     {
         semiAxes = cmptMax(semiAxes) * vector::one;
     }
-    readPlaces(dict, {semiAxes, 0}, referenceVolume_, 0, axis_);
+    readPlaces(dict, {semiAxes, 0}, volumeOf(grid, shape), 0, axis_);
 }
 
 Foam::tensor Foam::capsuleGroup::turnOf(const label body) const
@@ -251,19 +281,8 @@ void Foam::capsuleGroup::setFilter(const dictionary& dict)
 Foam::label Foam::capsuleGroup::degreeOfMesh(const dictionary& shape) const
 {
     const sphericalHarmonics grid(12, 26);
-    const numbers coeffs(initialShape(shape, grid));
-    const label n = grid.nPoints();
-    numbers x(3 * n), t(3 * n), p(3 * n);
-    grid.values(coeffs.data(), x.data());
-    grid.gradient(coeffs.data(), t.data(), p.data());
-    const auto at = [n](const numbers& v, const label k)
-    { return vector(v[k], v[n + k], v[2 * n + k]); };
-    scalar volume = 0;
-    for (label k = 0; k < n; ++k)
-    {
-        volume += grid.weight(k) / 3 * (at(x, k) & (at(t, k) ^ at(p, k)));
-    }
-    const scalar a = std::cbrt(0.75 / constant::mathematical::pi * mag(volume));
+    const scalar volume = volumeOf(grid, initialShape(shape, grid));
+    const scalar a = std::cbrt(0.75 / constant::mathematical::pi * volume);
     return max(
         label(round_ ? 6 : 12),
         label(min(scalar(64), 2.4 * a / cmptMax(scene_.grid.h()) + 0.5)));

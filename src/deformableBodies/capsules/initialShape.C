@@ -3,8 +3,10 @@
 #include "initialShape.H"
 #include "dictionaryChecks.H"
 #include "IFstream.H"
+#include "MeshedSurface.H"
 #include "OSspecific.H"
 #include "packing.H"
+#include "stringOps.H"
 #include "triSurface.H"
 #include "triSurfaceSearch.H"
 #include <cmath>
@@ -28,6 +30,26 @@ fileName fileOf(const dictionary& dict)
     return file;
 }
 
+//- The format of a surface, by the ending of its file in small or capital letters
+word formatOf(const dictionary& dict)
+{
+    const fileName given(dict.get<fileName>("file"));
+    const fileName file(given.ext() == "gz" ? given.lessExt() : given);
+    const word format(stringOps::lower(file.ext()));
+    wordHashSet known(MeshedSurface<labelledTri>::readTypes());
+    known.insert("ftr");
+    known.insert("stl");
+    known.insert("stlb");
+    if (!known.found(format))
+    {
+        refuse(dict, "file", given,
+               "surfaces in a file that ends in one of " +
+                   oneOf(known.sortedToc()) +
+                   ", such as surfaceConvert and surfaceMeshConvert write");
+    }
+    return given.ext() == "gz" ? word("gz") : format;
+}
+
 //- A closed triangulated surface, star-shaped about its centre of volume
 class starSurface
 {
@@ -49,10 +71,34 @@ class starSurface
             << " all of which is seen from its centre" << exit(FatalIOError);
     }
 
+    //- Triangles turn the same way where the two at an edge pass it in opposite
+    //  directions
+    void requireOrientation() const
+    {
+        forAll(surface_.edges(), edgei)
+        {
+            const edge& e = surface_.edges()[edgei];
+            const label first = surface_.edgeFaces()[edgei][0],
+                        second = surface_.edgeFaces()[edgei][1];
+            if (surface_.localFaces()[first].edgeDirection(e) !=
+                surface_.localFaces()[second].edgeDirection(e))
+            {
+                continue;
+            }
+            const point at(surface_.localPoints()[e[0]]);
+            refuseFile("has triangles that turn different ways, numbers " +
+                       Foam::name(first) + " and " + Foam::name(second) +
+                       " at (" + Foam::name(at.x()) + ' ' + Foam::name(at.y()) +
+                       ' ' + Foam::name(at.z()) +
+                       "): surfaceOrient makes them turn the same way");
+        }
+    }
+
 public:
     explicit starSurface(const dictionary& dict)
         : dict_(dict),
-          surface_(fileOf(dict), dict.getOrDefault<scalar>("scale", 1)),
+          surface_(fileOf(dict), formatOf(dict),
+                   dict.getOrDefault<scalar>("scale", 1)),
           search_(surface_)
     {
         for (const labelList& faces : surface_.edgeFaces())
@@ -62,6 +108,7 @@ public:
                 refuseFile("is open, or edges belong to more than two faces");
             }
         }
+        requireOrientation();
         scalar volume = 0;
         const pointField& points = surface_.points();
         for (const labelledTri& t : surface_)
@@ -75,8 +122,7 @@ public:
         const scalar size = mag(boundBox(points, false).span());
         if (mag(volume) < 1e-6 * pow3(size))
         {
-            refuseFile("encloses no volume: its triangles do not all turn the "
-                       "same way, or it crosses itself");
+            refuseFile("encloses no volume: it crosses itself");
         }
         centre_ /= volume;
         reach_ = 2 * size;

@@ -58,7 +58,7 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
                "3 to 10000");
     }
     properties_.rigidity =
-        dimensionedScalar("bendingRigidity", dimForce * dimArea, dict).value();
+        readNumber(dict, "bendingRigidity", dimForce * dimArea);
     if (!(properties_.rigidity >= 0))
     {
         refuse(dict, "bendingRigidity", Foam::name(properties_.rigidity),
@@ -254,7 +254,8 @@ void Foam::filamentGroup::readCouplingEntries(const dictionary& dict)
     {
         const dictionary& motion = readDict(
             dict, "baseMotion", "displacement sine; displacementCoeffs {...}");
-        checkEntries(motion, {"displacement"});
+        checkEntries(motion,
+                     withCoeffs(motion, {"displacement"}, {"displacement"}));
         if (properties_.ends[movedEnd()] == filament::FREE)
         {
             refuse(dict, "ends", "(free free)",

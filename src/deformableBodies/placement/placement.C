@@ -144,7 +144,7 @@ Foam::placement::placement(const dictionary& group, const word& name,
     scalar gap = 0.5 * cmptMin(grid.h());
     if (dict.found("minimumGap"))
     {
-        gap = dimensionedScalar("minimumGap", dimLength, dict).value();
+        gap = readNumber(dict, "minimumGap", dimLength);
         if (!(gap >= 0))
         {
             refuse(dict, "minimumGap", Foam::name(gap), "0 and greater");

@@ -39,10 +39,13 @@ Foam::rigidGroup::rigidGroup(const word& name, const dictionary& dict,
       shape_(readDict(dict, "shape", "type sphere; radius 1e-6;")),
       h_(std::cbrt(scene.grid.cellVolume()))
 {
-    checkEntries(dict, {"type", "shape", "positions", "directions", "placement",
-                        "densityRatio", "gravity", "velocity",
-                        "angularVelocity", "nearField", "markerSpacing",
-                        "coupling", "restart", "outside"});
+    checkEntries(dict,
+                 withCoeffs(dict,
+                            {"type", "shape", "positions", "directions",
+                             "placement", "densityRatio", "gravity", "velocity",
+                             "angularVelocity", "nearField", "markerSpacing",
+                             "coupling", "restart", "outside"},
+                            {"velocity", "angularVelocity"}));
     if (!twoWay())
     {
         refuse(dict, "coupling", alone() ? "none" : "oneWay",
@@ -271,10 +274,7 @@ void Foam::rigidGroup::checkStart(const label i, const dictionary& dict) const
 Foam::bodyGroup::identity Foam::rigidGroup::identify() const
 {
     const vector& s = shape_.semiAxes();
-    return {{"semiAxisX", s.x()},
-            {"semiAxisY", s.y()},
-            {"semiAxisZ", s.z()},
-            {"markers", scalar(markers_.size())}};
+    return {{"semiAxisX", s.x()}, {"semiAxisY", s.y()}, {"semiAxisZ", s.z()}};
 }
 
 Foam::scalarList Foam::rigidGroup::state(const label i) const
@@ -304,16 +304,13 @@ Foam::point Foam::rigidGroup::centreOf(const scalarList& state,
                                        const label number,
                                        const dictionary& source) const
 {
-    const label all = 18 + 6 * markers_.size();
-    if (state.size() != all)
+    if (state.size() < 18 || state.size() % 6 != 0)
     {
         firstRankSpeaks();
         FatalIOErrorInFunction(source)
             << "the saved state of body " << number << " of group " << name()
-            << " has " << state.size() << " numbers where " << all
-            << " belong to its markers: was one of the entries shape, "
-            << "markerSpacing, accuracy or the size of the cells changed?"
-            << exit(FatalIOError);
+            << " has " << state.size() << " numbers where 18 and 6 for each "
+            << "marker belong" << exit(FatalIOError);
     }
     return point(state[0], state[1], state[2]);
 }
@@ -336,6 +333,20 @@ void Foam::rigidGroup::setState(const label i, const scalarList& state,
     x.spin = read();
     x.slip = *at++;
     x.dt = *at++;
+    const label before = (state.size() - 18) / 6;
+    if (before != markers_.size())
+    {
+        if (mine()[i] == 0)
+        {
+            Info << "Group " << name() << ": " << markers_.size()
+                 << " markers a body, before " << before
+                 << ": their forces start from zero" << endl;
+        }
+        x.dt = 0;
+        x.forces = Zero;
+        x.U = Zero;
+        return;
+    }
     for (vectorField* field : {&x.forces, &x.U})
     {
         for (vector& v : *field)

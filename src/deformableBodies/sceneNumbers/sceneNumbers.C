@@ -66,7 +66,7 @@ Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh, string& from)
 }
 
 Foam::flowScales Foam::printSceneNumbers(const fvMesh& mesh, const scalar rho,
-                                         const scalar nu,
+                                         const fluidViscosity& nu,
                                          const PtrList<bodyGroup>& groups)
 {
     const uniformGrid& grid = uniformGrid::New(mesh);
@@ -113,8 +113,10 @@ Foam::flowScales Foam::printSceneNumbers(const fvMesh& mesh, const scalar rho,
     {
         flow = scalesAtStart(mesh, from);
         Info << line("fluid").c_str() << "rho " << digits(rho).c_str()
-             << " kg/m^3, mu " << digits(rho * nu).c_str() << " Pa s, nu "
-             << digits(nu).c_str() << " m^2/s" << nl << line("flow").c_str();
+             << " kg/m^3, mu " << digits(rho * nu.value()).c_str()
+             << " Pa s, nu " << digits(nu.value()).c_str() << " m^2/s"
+             << (nu.source().empty() ? "" : " (" + nu.source() + ")").c_str()
+             << nl << line("flow").c_str();
         if (flow.speed > 0)
             Info << "up to " << digits(flow.speed).c_str() << " m/s";
         else

@@ -90,8 +90,9 @@ void Foam::staggeredFlow::requireBlocks(const fvMesh& mesh,
     FatalIOErrorInFunction(controls)
         << "only the decomposition keeps this case from the flow algorithm "
         << "staggered: the cells of a rank must be one rectangular block" << nl
-        << "    either write method uniformBoxes; in system/decomposeParDict "
-        << "and run decomposePar -force" << nl
+        << "    either write method uniformBoxes; in system/decomposeParDict, "
+        << "libs (deformableBodies); in system/controlDict, and run "
+        << "decomposePar -force" << nl
         << "    or write PIMPLE { flowAlgorithm pimple; } in "
         << "system/fvSolution, which is far slower" << exit(FatalIOError);
 }

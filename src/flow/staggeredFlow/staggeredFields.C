@@ -35,6 +35,14 @@ void Foam::staggeredFlow::readState()
         explicit_ = isExplicit;
         hasLast_ = true;
     }
+    if (!RK3_ && !hasLast_ && mesh_.time().value() > 0)
+    {
+        WarningInFunction << "no history of timeScheme AB2 in time "
+                          << mesh_.time().timeName() << ", file "
+                          << historyName(false)
+                          << ": the first step is one of explicit Euler"
+                          << endl;
+    }
     const auto writeLast = [this](Ostream& os)
     {
         const auto made = volVectorField::New(

@@ -120,7 +120,8 @@ TEST(BodyCollection, aRegionHasItsOwnPlace)
          root / "postProcessing" / region / "bodies" / "0" / "cells.dat",
          root / "postProcessing" / region / "effectCost" / "0" /
              "effectCost.dat",
-         root / "VTK" / region / "bodies" / "cells.vtp.series"});
+         root / "postProcessing" / "VTK" / region / "bodies" /
+             "cells.vtp.series"});
     for (const fileName& file : written)
     {
         EXPECT_TRUE(isFile(file)) << file;
@@ -131,7 +132,8 @@ TEST(BodyCollection, aRegionHasItsOwnPlace)
     EXPECT_EQ(again.save().states[0].size(), 1);
     for (const fileName& dir :
          {state.path(), root / "constant" / region,
-          root / "postProcessing" / region, root / "VTK" / region})
+          root / "postProcessing" / region,
+          root / "postProcessing" / "VTK" / region})
     {
         rmDir(dir);
     }

@@ -16,7 +16,8 @@ Foam::deadLoad::deadLoad(const dictionary& dict, const bodyPoints& body)
       at_(dict)
 {
     needLine(dict, body);
-    checkEntries(dict, {"type", "group", "force", "at"});
+    checkEntries(dict,
+                 withCoeffs(dict, {"type", "group", "force", "at"}, {"force"}));
 }
 
 void Foam::deadLoad::add(const bodyPoints& body, const scalar time,

@@ -16,7 +16,8 @@ Foam::followerLoad::followerLoad(const dictionary& dict, const bodyPoints& body)
       at_(dict)
 {
     needLine(dict, body);
-    checkEntries(dict, {"type", "group", "force", "at"});
+    checkEntries(dict,
+                 withCoeffs(dict, {"type", "group", "force", "at"}, {"force"}));
 }
 
 void Foam::followerLoad::add(const bodyPoints& body, const scalar time,

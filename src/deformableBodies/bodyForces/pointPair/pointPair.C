@@ -18,7 +18,9 @@ Foam::pointPair::pointPair(const dictionary& dict, const bodyPoints& body)
       share_(body.places.size(), Zero)
 {
     needSurface(dict, body);
-    checkEntries(dict, {"type", "group", "force", "direction", "patch"});
+    checkEntries(
+        dict, withCoeffs(dict, {"type", "group", "force", "direction", "patch"},
+                         {"force"}));
     if (!(mag(direction_) > 0))
     {
         refuse(dict, "direction", "(0 0 0)", "a direction");

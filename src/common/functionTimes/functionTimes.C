@@ -1,0 +1,69 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "functionTimes.H"
+#include "dictionaryChecks.H"
+
+namespace
+{
+using namespace Foam;
+
+//- Is that so of any enabled function of controlDict that names the field?
+template<class Condition>
+bool any(const word& field, const Time& time, const Condition& holds)
+{
+    const dictionary* functions = time.controlDict().findDict("functions");
+    if (!functions) return false;
+    for (const entry& e : *functions)
+    {
+        if (e.isDict() && e.dict().getOrDefault<bool>("enabled", true) &&
+            valueOf(e).find(field) != string::npos && holds(e.dict()))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+} // namespace
+
+bool Foam::isDue(const dictionary& function, const Time& time)
+{
+    // The defaults are those of timeControl
+    const auto due = [&](const word& what)
+    {
+        const word control(
+            function.getOrDefault<word>(what + "Control", "timeStep"));
+        const label interval =
+            function.getOrDefault<scalar>(what + "Interval", 1) + 0.5;
+        if (control == "timeStep")
+        {
+            return interval <= 1 || time.timeIndex() % interval == 0;
+        }
+        if (control == "writeTime" || control == "outputTime")
+        {
+            return time.writeTime();
+        }
+        if (control == "onEnd")
+        {
+            return time.value() >
+                   time.endTime().value() - 0.5 * time.deltaTValue();
+        }
+        return control != "none";
+    };
+    const wordList writers({"writeObjects", "writeRegisteredObject", "probes",
+                            "patchProbes", "sets", "systemCall"});
+    const bool onlyWrites =
+        writers.found(function.getOrDefault<word>("type", ""));
+    return (!onlyWrites && due("execute")) || due("write");
+}
+
+bool Foam::isLookedAt(const word& field, const Time& time)
+{
+    return any(field, time,
+               [&](const dictionary& function)
+               { return isDue(function, time); });
+}
+
+bool Foam::isNamed(const word& field, const Time& time)
+{
+    return any(field, time, [](const dictionary&) { return true; });
+}
