@@ -108,9 +108,11 @@ Foam::string Foam::valueOf(const entry& e)
     for (const char c : std::string(os.str()))
     {
         const bool blank = std::isspace(static_cast<unsigned char>(c));
-        if (blank && (line.empty() || line.back() == ' ' || line.back() == '('))
+        if (blank && (line.empty() || line.back() == ' ' ||
+                      line.back() == '(' || line.back() == '['))
             continue;
-        if ((c == ')' || c == ';') && !line.empty() && line.back() == ' ')
+        if ((c == ')' || c == ']' || c == ';') && !line.empty() &&
+            line.back() == ' ')
             line.pop_back();
         line += blank ? ' ' : c;
     }

@@ -78,6 +78,7 @@ void Foam::bodyCollection::draw()
 {
     if (empty()) return;
     ownership_->migrate(groups_);
+    if (forceField_) *forceField_ = fluidForce();
     writer_->draw(mesh_.time().value(), mesh_.time().timeIndex());
 }
 
