@@ -20,20 +20,31 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
     const scalar borne = 0.25 * scene.mu * sqr(h) / scene.deltaT;
 
     // A fibre that crosses another stops within a quarter of the range, and rests at half
-    // of it (Morse)
+    // of it, or where the flow presses with all its drag at a twentieth (Morse). Drag leaves
+    // coast/(coast + R) of its energy. The step bears
+    // R (m/dt + c)/(3 dt) of a quarter of mass and drag (see contactLoad::borne), some
+    // contacts at once a quarter of that
     const auto strength = [&](const scalar range)
     {
-        contactStrength all{0, "mu h^2/(4 deltaT)", GREAT};
+        contactStrength all{0, "mu h^2/(4 deltaT)", GREAT, 0};
         for (const contactLoad& load : scene.loads)
         {
             if (load.isSurface) continue;
             all.deltaT = min(all.deltaT, load.borne(range));
-            const scalar S = load.force + 1.3 * load.energy() / range;
+            const scalar byFlow = load.force - load.own, dt = scene.deltaT;
+            all.most = max(all.most, max(3 * load.own + byFlow,
+                                         range * (load.mass / dt + load.drag) /
+                                             (48 * dt)));
+            const scalar coast = load.mass * load.speed / load.drag;
+            const scalar S =
+                load.own + byFlow / 20 +
+                1.3 * load.energy() / (coast + range) * (coast / range);
             if (S <= all.value) continue;
             all.value = S;
             all.reason = load.reason;
         }
         if (all.value == 0) all.value = borne;
+        if (all.most == 0) all.most = GREAT;
         return all;
     };
     return contactLaw(dict, scene.grid, h, strength, dimForce, scene.deltaT,

@@ -28,6 +28,7 @@ Foam::contactLaw::contactLaw(
     const contactStrength otherwise(strength(range_));
     strength_ = otherwise.value;
     reason_ = otherwise.reason;
+    most_ = otherwise.most;
     if (deltaT > 1.05 * otherwise.deltaT)
     {
         IOWarningInFunction(dict)
@@ -65,11 +66,21 @@ void Foam::contactLaw::at(const scalar d, scalar& P, scalar& slope) const
     }
 }
 
+Foam::scalar Foam::contactLaw::closest() const
+{
+    const scalar x = most_ / strength_;
+    if (law_ == EXPONENTIAL)
+        return range_ * (0.5 - std::log(x + std::exp(-1.5)) / 3);
+    const scalar e =
+        0.5 + std::sqrt(0.25 + x * (std::exp(3.0) - std::exp(1.5)));
+    return range_ * (1 - std::log(e) / 3);
+}
+
 Foam::scalar Foam::contactLaw::at(const scalar d) const
 {
     if (d >= range_) return 0;
     scalar P, slope;
-    at(max(d, scalar(0)), P, slope);
+    at(max(d, max(closest(), scalar(0))), P, slope);
     return P;
 }
 
@@ -77,7 +88,7 @@ Foam::scalar Foam::contactLaw::between(const scalar r, const scalar d) const
 {
     if (d >= range_) return 0;
     scalar P, slope;
-    at(d, P, slope);
+    at(max(d, closest()), P, slope);
     return (P / sqr(r) + slope / r) / (2 * constant::mathematical::pi);
 }
 

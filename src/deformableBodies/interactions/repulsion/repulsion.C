@@ -18,7 +18,8 @@ const scalar pi = constant::mathematical::pi;
 
 //- S with which a sphere on a plane, on which it exerts 2 pi a int P, stops within a
 //  quarter of the range, and carries its load at half of it (Morse)
-contactStrength strengthFor(const contactLoad& load, const scalar range)
+contactStrength strengthFor(const contactLoad& load,
+                            const interactionScene& scene, const scalar range)
 {
     const scalar a = load.radius;
     scalar S = (load.force / 0.81 + 1.5 * load.energy() / range) / (a * range);
@@ -31,7 +32,13 @@ contactStrength strengthFor(const contactLoad& load, const scalar range)
         S = soft;
         reason = "5 Gs/a";
     }
-    return {S, reason, load.borne(range)};
+
+    // F = 2 pi a P R/6 at high loads, and 2 pi a P is its stiffness
+    const scalar dt = scene.deltaT;
+    const scalar most =
+        max((3 * load.own + load.force - load.own) / (a * range),
+            0.5 * (load.mass / dt + load.drag) / (pi * a * dt));
+    return {S, reason, load.borne(range), most};
 }
 
 contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
@@ -44,17 +51,19 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
     }
     const auto strength = [&](const scalar range)
     {
-        contactStrength all{0, "5 Gs/a", GREAT};
+        contactStrength all{0, "5 Gs/a", GREAT, 0};
         for (const contactLoad& load : scene.loads)
         {
             if (!load.isSurface) continue;
-            const contactStrength s(strengthFor(load, range));
+            const contactStrength s(strengthFor(load, scene, range));
             all.deltaT = min(all.deltaT, s.deltaT);
+            all.most = max(all.most, s.most);
             if (s.value <= all.value) continue;
             all.value = s.value;
             all.reason = s.reason;
         }
         if (all.value == 0) all.value = 5 * scene.softest;
+        if (all.most == 0) all.most = GREAT;
         return all;
     };
     return contactLaw(dict, scene.grid, 1.5 * cmptMax(scene.grid.h()), strength,
