@@ -122,7 +122,9 @@ void Foam::bodyInteractions::collect(const participant& p)
     }
     const bodyPoints points(group.points(p.place));
     const vectorField& v = points.velocities;
-    const vectorField x(points.places + time_.deltaTValue() * v);
+    // Films know the places of the start
+    const vectorField x(points.places +
+                        (resists() ? 0 : time_.deltaTValue()) * v);
     interactingPoint point{
         0, std::sqrt(points.crossSection / constant::mathematical::pi)};
     const scalar h = cmptMax(grid_.h());
