@@ -23,7 +23,8 @@ Foam::fluidViscosity::fluidViscosity(const fvMesh& mesh,
                                      const dictionary& bodies)
     : mesh_(mesh)
 {
-    const word fluid(transport.get<word>("transportModel"));
+    const word fluid(
+        transport.getOrDefault<word>("transportModel", "Newtonian"));
     const auto* model =
         mesh.findObject<turbulenceModel>(turbulenceModel::propertiesName);
     const word simulation(
