@@ -93,7 +93,7 @@ TEST(StaggeredFlow, wavesOfFiveCellsDoNotGrow)
             const scalar dt = share * Co / flow->CourantNo(1);
 
             // In which waves along U decay by some e^2, those of five cells by more
-            const label nSteps = label(2 * magSqr(f.h & f.U) /
+            const label nSteps = label(2 * magSqr(cmptMultiply(f.h, f.U)) /
                                        magSqr(f.U) / (f.nu * dt));
             const auto noiseAfter = [&](const label steps)
             {
