@@ -77,15 +77,15 @@ void Foam::stepGuard::check(const scalar Co, const std::function<void()>& fill)
     {
         WarningInFunction << "Courant number " << Foam::name(Co) << " at time "
                           << time.timeName() << " is above "
-                          << Foam::name(stable_)
-                          << ", the largest for " << who_.c_str() << nl
-                          << "    Reduce deltaT from " << Foam::name(dt)
-                          << " to less than " << Foam::name(stable_ * dt / Co)
+                          << Foam::name(stable_) << ", the largest for "
+                          << who_.c_str() << nl << "    Reduce deltaT from "
+                          << Foam::name(dt) << " to less than "
+                          << Foam::name(stable_ * dt / Co)
                           << ", or write adjustTimeStep yes; maxCo "
                           << Foam::name(0.5 * stable_)
                           << "; in system/controlDict"
-                          << (remedy_.empty() ? "" : ", or ")
-                          << remedy_.c_str() << endl;
+                          << (remedy_.empty() ? "" : ", or ") << remedy_.c_str()
+                          << endl;
     }
 }
 
@@ -142,8 +142,8 @@ void Foam::stepGuard::stop(const string& what, const scalar Co,
     else
     {
         allowed << "deltaT was below the flow's own limit, "
-                << Foam::name(borne)
-                << ": " << (bodies_ ? "bodies, forces" : "forces")
+                << Foam::name(borne) << ": "
+                << (bodies_ ? "bodies, forces" : "forces")
                 << " or conditions need a smaller one";
     }
     firstRankSpeaks();

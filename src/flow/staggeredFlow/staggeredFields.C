@@ -15,8 +15,8 @@ Foam::word Foam::staggeredFlow::historyName(const bool isExplicit)
 void Foam::staggeredFlow::readState()
 {
     const auto scheme = stateOfTime(mesh_, "timeScheme");
-    const word before(
-        scheme ? scheme->getOrDefault<word>("timeScheme", "AB2") : "AB2");
+    const word before(scheme ? scheme->getOrDefault<word>("timeScheme", "AB2")
+                             : "AB2");
     if ((timeScheme_ == "auto" ? before : timeScheme_) == "RK3") takeRK3();
     for (const bool isExplicit : {false, true})
     {

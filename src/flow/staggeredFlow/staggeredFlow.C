@@ -17,8 +17,7 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
                                    surfaceScalarField& phi,
                                    const volScalarField& nu,
                                    const dictionary& controls,
-                                   effectLedger& effects,
-                                   const bool bodies)
+                                   effectLedger& effects, const bool bodies)
     : mesh_(U.mesh()),
       grid_(uniformGrid::New(mesh_)),
       block_(grid_),
@@ -42,8 +41,8 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
         refuse(controls, "diffusion", "FFT",
                "auto, ADI or explicit where two directions have walls");
     }
-    mayTransform_ = diffusion_ == "FFT" ||
-                    (diffusion_ == "auto" && bodies && nWalled < 2);
+    mayTransform_ =
+        diffusion_ == "FFT" || (diffusion_ == "auto" && bodies && nWalled < 2);
     lags_ = diffusion_ == "auto" && bodies && nWalled > 1;
 
     // First, as making it takes memory for a moment
@@ -219,9 +218,9 @@ void Foam::staggeredFlow::chooseTimeScheme(const scalar deltaT,
     if (timeScheme_ != "auto" || RK3_ || !convection_) return;
     const scalar rate = max(CourantNo(1), VSMALL),
                  borne = stableCourantNo() / rate;
-    const scalar gain =
-        adjusted ? min(deltaT, stableRK3 / rate) / (dearer * borne)
-                 : deltaT / borne;
+    const scalar gain = adjusted
+                            ? min(deltaT, stableRK3 / rate) / (dearer * borne)
+                            : deltaT / borne;
     if (!(gain > 1)) return;
     takeRK3();
     Info << "Time scheme: RK3, as AB2 bears steps up to " << Foam::name(borne)

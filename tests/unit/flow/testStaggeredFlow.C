@@ -87,8 +87,8 @@ TEST(StaggeredFlow, wavesOfFiveCellsDoNotGrow)
             });
         for (const scalar share : {1.0, 1.5})
         {
-            auto flow = b.flow(
-                (std::string("timeScheme AB2; ") + f.controls).c_str());
+            auto flow =
+                b.flow((std::string("timeScheme AB2; ") + f.controls).c_str());
             const scalar Co = flow->stableCourantNo();
             const scalar dt = share * Co / flow->CourantNo(1);
 
