@@ -99,8 +99,8 @@ void isAsByAllPairs(const clouds& all, const bool evenOnesDoNot)
     }
     closePairs pairs(grid(), range);
     const vectorField X(UIndirectList<vector>(all.X, mine));
-    pairs.search(X, bodies,
-                 scalarField(UIndirectList<scalar>(all.along, mine)), apart);
+    pairs.search(X, bodies, scalarField(UIndirectList<scalar>(all.along, mine)),
+                 apart);
 
     // Pairs twice, or once where this rank holds one of the two
     label found = 0;
@@ -195,8 +195,7 @@ void isMutual(const interactionModel& model, const scalar radius)
     const vectorField X(UIndirectList<vector>(all.X, mine));
     pairs.search(X, labelList(UIndirectList<label>(all.body, mine)));
     const label n = pairs.here().size();
-    const List<interactingPoint> points(
-        n, interactingPoint{sqr(h), radius});
+    const List<interactingPoint> points(n, interactingPoint{sqr(h), radius});
     vectorField there(n, Zero), F(mine.size(), Zero);
     model.add(pairs, points, there);
     pairs.addUp(scalarField(UList<scalar>(
@@ -230,18 +229,19 @@ void isMutual(const interactionModel& model, const scalar radius)
 TEST(ClosePairs, repulsionIsMutual)
 {
     IStringStream none("");
-    isMutual(
-        repulsion(dictionary(none), interactionScene{grid(), 1, 1e-9, 2, 0, 0}),
-        0);
+    isMutual(repulsion(dictionary(none),
+                       interactionScene{grid(), 1, 1e-9, 2, 0, 0, {}}),
+             0);
 }
 
 TEST(ClosePairs, collisionIsMutual)
 {
     IStringStream none("");
     const scalar radius = 0.7 * cmptMin(grid().h());
-    isMutual(collision(dictionary(none),
-                       interactionScene{grid(), 1, 0.01, 0, radius, radius}),
-             radius);
+    isMutual(
+        collision(dictionary(none),
+                  interactionScene{grid(), 1, 0.01, 0, radius, radius, {}}),
+        radius);
 }
 
 // Two long lines that cross exert the force of the law over the sine of their angle
@@ -252,8 +252,8 @@ TEST(ClosePairs, forceOfCrossingLines)
     const scalar h = cmptMax(grid().h()), radius = 0.15 * h;
     IStringStream is("range " + Foam::name(0.6 * h) + "; strength 3;");
     const dictionary dict(is);
-    const collision model(dict,
-                          interactionScene{grid(), 1, 0.01, 0, radius, radius});
+    const collision model(
+        dict, interactionScene{grid(), 1, 0.01, 0, radius, radius, {}});
     const point middle(grid().origin() + 0.5 * L);
     for (const scalar angle : {30.0, 60.0, 90.0})
     {
@@ -298,7 +298,7 @@ TEST(ClosePairs, pressureOfPlanes)
     {
         IStringStream is(law);
         const repulsion model(dictionary(is),
-                              interactionScene{grid(), 1, 1e-9, 2, 0, 0});
+                              interactionScene{grid(), 1, 1e-9, 2, 0, 0, {}});
         const scalar R = model.range(true, true);
         for (const scalar distance : {0.3, 0.5, 0.8})
         {

@@ -23,7 +23,7 @@ struct scene
 
     lubrication model(const scalar roughness) const
     {
-        const interactionScene about{grid(), mu, 0.01, 0, r, r};
+        const interactionScene about{grid(), mu, 0.01, 0, r, r, {}};
         IStringStream is("range " + Foam::name(R) + "; roughness " +
                          Foam::name(roughness) + ";");
         return lubrication(dictionary(is), about);
