@@ -165,6 +165,13 @@ void Foam::bodyCollection::read(const IOdictionary& dict)
     }
 
     alone_ = !empty() && !inFluid;
+    if (inFluid && !nu_->known())
+    {
+        refuse(
+            dict, "nu", "none",
+            "the viscosity of the fluid [m^2/s]: the solver has no model that "
+            "tells it");
+    }
     effects_.declare("interpolation", inFluid,
                      inFluid ? deltaKernel::names[markers_->kernel().type()] +
                                    " kernel at face centres"

@@ -78,6 +78,7 @@ void Foam::bodyCollection::draw()
 {
     if (empty()) return;
     ownership_->migrate(groups_);
+    if (interactions_) interactions_->update();
     if (forceField_) *forceField_ = fluidForce();
     writer_->draw(mesh_.time().value(), mesh_.time().timeIndex());
 }
@@ -99,13 +100,13 @@ void Foam::bodyCollection::stop()
         << "    What it looked like has been written to time "
         << time.timeName()
         << (pressed
-                ? "; stronger repulsion in interactions holds it, a smaller "
-                  "deltaT bears that"
+                ? "; allowed: a larger strength of repulsion with a smaller "
+                  "deltaT"
             : left ? ""
                    : "; go on from an earlier time with a smaller deltaT")
         << (left || pressed
-                ? "; with outside remove; in its group the run goes "
-                  "on from there without it"
+                ? "; with outside remove; in its group the run goes on "
+                  "without it"
                 : "")
         << exit(FatalError);
 }

@@ -123,10 +123,13 @@ Foam::string Foam::bodyPlaces::divergence(const bodyGroup& group,
         return "it is " + Foam::name(length) + " m long in " +
                vector::componentNames[d];
     }
-    const scalar cells = time_.deltaTValue() *
-                         max(mag(group.points(i).velocities)) /
-                         cmptMin(grid_.h());
-    return cells <= 1 ? ""
+    scalar cells = 0;
+    for (const vector& v : group.points(i).velocities)
+    {
+        cells = max(cells, time_.deltaTValue() *
+                               cmptMax(cmptDivide(cmptMag(v), grid_.h())));
+    }
+    return cells <= 3 ? ""
                       : "it moves by " + Foam::name(cells) + " cells in a step";
 }
 

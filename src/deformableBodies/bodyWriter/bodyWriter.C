@@ -340,7 +340,7 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
         // The series goes on after a restart
         const fileName seriesName(dir / group.name() + ".vtp");
         vtk::seriesWriter series(seriesBefore(seriesName + ".series", now));
-        series.append(now, stem + ".vtp");
+        series.append(readScalar(Time::timeName(now)), stem + ".vtp");
         series.write(seriesName);
     }
 }

@@ -28,8 +28,8 @@ Foam::scalar ofCells(const Foam::scalar radius)
     return 0.115 * std::pow(4 / radius, 1.3);
 }
 
-// Of the stress of a suspension, by the volume that the kernel makes the fluid feel;
-// in slow flow the near field leaves 0.5 %
+// Error of the stress of a suspension without near field: the kernel enlarges the volume
+// that the fluid feels. With near field it is 0.5 % in slow flow
 Foam::scalar ofStress(const Foam::scalar radius)
 {
     return Foam::pow3(1 + 0.53 / radius) - 1;

@@ -125,8 +125,8 @@ Foam::capsuleGroup::nearForces(const label i)
 // Forces have the solid angles in them, and the opposite sign of loads
 void Foam::capsuleGroup::nearLoad(capsule& c, const vector* F) const
 {
-    numbers middle(coeffs_.size()), now(coeffs_.size());
-    load(c.xMid, middle);
+    const numbers& middle = coeffs_;
+    numbers now(coeffs_.size());
     load(c.x, now);
     c.onFluid.resize(coeffs_.size());
     markers_->valuesAdjoint(F, c.onFluid.data());

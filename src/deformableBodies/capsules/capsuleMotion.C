@@ -84,7 +84,7 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
         if (nearField_ && scene_.deltaT > maxDeltaT_ && !scene_.adjusted)
         {
             const scalar step = min(scene_.deltaT, smoothed);
-            const scalar degree = 8 * std::pow(maxDeltaT_ / step, 0.7);
+            const scalar degree = 8 * maxDeltaT_ / step;
             nearField_->setTaper(degree);
             nearFieldError_ = 0.008; // measured at the largest step
             note += ", near field up to degree " + Foam::name(degree) +

@@ -141,10 +141,9 @@ void Foam::capsuleNearField::add(const double* x, const double* load,
 {
     const std::vector<double> slow(inSlowFlow(x, load, more));
     const size_t n = slow.size();
-    if (memory.empty())
+    while (memory.size() < memorySize * n)
     {
-        memory = slow;
-        memory.resize(memorySize * n, 0);
+        memory.insert(memory.end(), slow.begin(), slow.end());
     }
     std::vector<double> keep(rates_.size()), mean(rates_.size()), sum(n, 0);
     for (int j = 0; j < nRates; ++j)

@@ -202,20 +202,22 @@ Foam::scalarList Foam::capsuleGroup::state(const label i) const
     return scalarList(std::move(s));
 }
 
-Foam::label Foam::capsuleGroup::partsOf(const scalarList& state) const
+Foam::label Foam::capsuleGroup::degreeOf(const scalarList& state)
 {
-    const label n = initial_.size(), size = state.size() - 1;
-    const label parts = label(state[size]);
-    const label nParts = 2 + (parts & 1) + (parts & 2) + (parts & 4) / 4 +
-                         (parts & 8) / 8 * capsuleNearField::memorySize;
-    return parts >= 0 && parts < 16 && size == 1 + nParts * n ? parts : -1;
+    const label size = state.size() - 2;
+    if (size <= 0 || !(state.last() >= 0 && state.last() < 16)) return -1;
+    const label parts = partsOf(state);
+    const label sets = 2 + (parts & 1) + (parts & 2) + (parts & 4) / 4 +
+                       (parts & 8) / 8 * capsuleNearField::memorySize;
+    const label N = label(std::lround(std::sqrt(size / (3.0 * sets)))) - 1;
+    return 3 * sets * (N + 1) * (N + 1) == size ? N : -1;
 }
 
 Foam::point Foam::capsuleGroup::centreOf(const scalarList& state,
                                          const label body,
                                          const dictionary& source) const
 {
-    if (partsOf(state) < 0)
+    if (degreeOf(state) != harmonics().degree())
     {
         firstRankSpeaks();
         FatalIOErrorInFunction(source)

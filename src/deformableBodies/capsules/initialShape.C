@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "initialShape.H"
+#include "capsuleGroup.H"
 #include "dictionaryChecks.H"
 #include "IFstream.H"
 #include "MeshedSurface.H"
@@ -172,31 +173,21 @@ void savedShape(const dictionary& dict, const sphericalHarmonics& grid,
         refuseState("a body " + Foam::name(body) + " in group " + group);
     }
 
-    // The last step, then 2 to 5 sets of coefficients, of which only one makes
-    // (N + 1)^2 a square, then (or not) a number that says which they are
-    const label numbers = (states[body].size() - 1) / 3 * 3;
-    for (label sets = 2; sets <= 5; ++sets)
+    const label N = capsuleGroup::degreeOf(states[body]);
+    if (N < 1) refuseState("coefficients of capsules");
+    const sphericalHarmonics other(N, N + 2);
+    for (int n = 1; n <= min(N, label(grid.degree())); ++n)
     {
-        const label N =
-            label(std::lround(std::sqrt(numbers / (3.0 * sets)))) - 1;
-        if (N < 1 || 3 * sets * (N + 1) * (N + 1) != numbers) continue;
-
-        const sphericalHarmonics other(N, N + 2);
-        for (int n = 1; n <= min(N, label(grid.degree())); ++n)
+        for (int m = 0; m <= n; ++m)
         {
-            for (int m = 0; m <= n; ++m)
+            for (int sine = 0; sine <= (m ? 1 : 0); ++sine)
             {
-                for (int sine = 0; sine <= (m ? 1 : 0); ++sine)
-                {
-                    std::copy_n(states[body].cdata() + 1 +
-                                    3 * other.index(n, m, sine),
-                                3, &coeffs[3 * grid.index(n, m, sine)]);
-                }
+                std::copy_n(states[body].cdata() + 1 +
+                                3 * other.index(n, m, sine),
+                            3, &coeffs[3 * grid.index(n, m, sine)]);
             }
         }
-        return;
     }
-    refuseState("coefficients of capsules");
 }
 } // namespace
 

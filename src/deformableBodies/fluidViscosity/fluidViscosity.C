@@ -52,8 +52,9 @@ Foam::fluidViscosity::fluidViscosity(const fvMesh& mesh,
     }
     else if (!model)
     {
+        known_ = false;
         value_ = 1;
-        source_ = "of no use, as no flow is solved";
+        source_ = "not used: no flow";
     }
     const string name(stress == "Stokes" ? "transportModel " + fluid
                                          : simulation + " model " + stress);

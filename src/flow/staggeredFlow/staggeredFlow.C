@@ -216,8 +216,9 @@ void Foam::staggeredFlow::chooseTimeScheme(const scalar deltaT,
     // Measured cost of a step of RK3 over one of AB2 (doc/methods.md)
     const scalar dearer = 2.3;
     if (timeScheme_ != "auto" || RK3_ || !convection_) return;
-    const scalar rate = max(CourantNo(1), VSMALL),
-                 borne = stableCourantNo() / rate;
+    const scalar rate = max(CourantNo(1), VSMALL);
+    if (!(rate < GREAT)) return; // the flow diverges
+    const scalar borne = stableCourantNo() / rate;
     const scalar gain = adjusted
                             ? min(deltaT, stableRK3 / rate) / (dearer * borne)
                             : deltaT / borne;

@@ -312,7 +312,9 @@ void Foam::bodyInteractions::compareBoxes()
     }
     reduce(largest, maxOp<scalar>());
     reduce(away, maxOp<label>());
-    const scalar reach = range_ + skin();
+    // Points of contact may be a step ahead
+    const scalar reach =
+        range_ + skin() + 2 * returnReduce(lastTravel_, maxOp<scalar>());
 
     // All boxes that may be near one of this rank, in bins; the middle of one of these
     // may lie outside the block

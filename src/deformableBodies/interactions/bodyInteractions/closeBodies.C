@@ -76,13 +76,10 @@ void Foam::bodyInteractions::update()
                 P += model.ofWall(distance - radius, radius == 0);
             }
             F_.F[k] += P * points_[k].size * inward;
-            if (P > 0 && distance < 0.8 * radius)
+            // Not a point that is held at the wall
+            if (P > 0 && distance < 0.5 * radius && mag(V_[k]) > 0)
             {
                 deepest.take(radius - distance, body_[k], -1, X_[k]);
-            }
-            else if (P > 0 && distance < 0)
-            {
-                deepest.take(-distance, body_[k], -1, X_[k]);
             }
         }
     }
@@ -122,9 +119,7 @@ void Foam::bodyInteractions::collect(const participant& p)
     }
     const bodyPoints points(group.points(p.place));
     const vectorField& v = points.velocities;
-    // Films know the places of the start
-    const vectorField x(points.places +
-                        (resists() ? 0 : time_.deltaTValue()) * v);
+    const vectorField& x = points.places;
     interactingPoint point{
         0, std::sqrt(points.crossSection / constant::mathematical::pi)};
     const scalar h = cmptMax(grid_.h());
@@ -294,11 +289,12 @@ Foam::string Foam::bodyInteractions::describe(const overlap& deepest) const
 void Foam::bodyInteractions::warnOf(overlap& deepest)
 {
     deepest.time = time_.value();
-    deepest.twos.insert(overlaps_.twos.begin(), overlaps_.twos.end());
+    overlaps_.twos.insert(deepest.twos.begin(), deepest.twos.end());
     if (deepest.depth > overlaps_.depth)
+    {
+        deepest.twos.swap(overlaps_.twos);
         overlaps_ = deepest;
-    else
-        overlaps_.twos.swap(deepest.twos);
+    }
     if (warned_) return;
     const string where(describe(deepest));
     if (where.empty()) return;
@@ -307,9 +303,9 @@ void Foam::bodyInteractions::warnOf(overlap& deepest)
     {
         WarningInFunction
             << where.c_str() << nl
-            << "    What keeps bodies apart has not held them: a larger "
-            << "strength or range of interactions, or a smaller deltaT, may."
-            << " How many are, and how deep, is said at the end" << endl;
+            << "    Contact forces were too weak: take a larger strength or "
+            << "range of interactions, or a smaller deltaT." << nl
+            << "    All overlaps are summed up at the end" << endl;
     }
 }
 

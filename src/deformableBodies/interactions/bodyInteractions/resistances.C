@@ -173,8 +173,14 @@ Foam::string Foam::bodyInteractions::state() const
     text << "    strengths\n    {\n";
     for (const interactionModel& model : models_)
     {
-        if (model.strength() == 0) continue;
-        text << "        " << model.type() << ' ' << model.strength() << ";\n";
+        const scalarList defaults(model.defaults());
+        if (defaults.empty()) continue;
+        text << "        " << model.type() << " (";
+        for (const scalar x : defaults)
+        {
+            text << ' ' << x;
+        }
+        text << " );\n";
     }
     text << "    }\n";
     for (const interactionModel& model : models_)
@@ -216,13 +222,12 @@ void Foam::bodyInteractions::readState(const dictionary& saved,
     const dictionary strengths(saved.subOrEmptyDict("strengths"));
     for (interactionModel& model : models_)
     {
-        if (!strengths.found(model.type())) continue;
-        const scalar byDefault = model.strength();
-        model.keepStrength(strengths.get<scalar>(model.type()));
-        if (mag(model.strength() / byDefault - 1) < 1e-9) continue;
+        if (initial.found(true) || !strengths.found(model.type())) continue;
+        const scalarList defaults(strengths.get<scalarList>(model.type()));
+        if (!model.keep(defaults)) continue;
         effects_.declare(model.type(), true,
                          "as at the start of the run, strength " +
-                             Foam::name(model.strength()));
+                             Foam::name(defaults[0]));
     }
     List<scalarList> all(models_.size());
     forAll(models_, m)

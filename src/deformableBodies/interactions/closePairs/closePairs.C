@@ -418,7 +418,7 @@ void Foam::closePairs::addUp(const UList<scalar>& here, const label n,
 
 void Foam::closePairs::addUp(UList<vector>& here, UList<vector>& own) const
 {
-    addUp(UList<scalar>(reinterpret_cast<scalar*>(here.data()),
-                        3 * here.size()),
-          3, reinterpret_cast<scalar*>(own.data()));
+    addUp(
+        UList<scalar>(reinterpret_cast<scalar*>(here.data()), 3 * here.size()),
+        3, reinterpret_cast<scalar*>(own.data()));
 }

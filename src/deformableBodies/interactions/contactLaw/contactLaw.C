@@ -39,10 +39,17 @@ Foam::contactLaw::contactLaw(
             << otherwise.deltaT << ", or take a larger range than " << range_
             << endl;
     }
-    if (!given_) return;
+    if (!given_)
+    {
+        setClosest();
+        return;
+    }
 
+    // In contact a Morse law has 25 S
     strength_ = readPositive(dict, "strength", dimensions);
+    most_ = max(most_, 25 * strength_);
     reason_ = "given";
+    setClosest();
     judge(dict, {{"strength", "strength/" + Foam::name(borne),
                   strength_ / borne, 0, GREAT, 0, 10,
                   "a contact stiffer than deltaT bears throws bodies apart"}});
@@ -66,14 +73,28 @@ void Foam::contactLaw::at(const scalar d, scalar& P, scalar& slope) const
     }
 }
 
-Foam::scalar Foam::contactLaw::closest() const
+void Foam::contactLaw::setClosest()
 {
     const scalar x = most_ / strength_;
-    if (law_ == EXPONENTIAL)
-        return range_ * (0.5 - std::log(x + std::exp(-1.5)) / 3);
     const scalar e =
         0.5 + std::sqrt(0.25 + x * (std::exp(3.0) - std::exp(1.5)));
-    return range_ * (1 - std::log(e) / 3);
+    closest_ = law_ == EXPONENTIAL
+                   ? range_ * (0.5 - std::log(x + std::exp(-1.5)) / 3)
+                   : range_ * (1 - std::log(e) / 3);
+}
+
+bool Foam::contactLaw::keep(const scalarList& defaults)
+{
+    if (given_ || defaults.size() != 3 ||
+        mag(defaults[2] - range_) > 1e-9 * range_)
+    {
+        return false;
+    }
+    const bool differ = mag(defaults[0] / strength_ - 1) > 1e-9;
+    strength_ = defaults[0];
+    most_ = defaults[1];
+    setClosest();
+    return differ;
 }
 
 Foam::scalar Foam::contactLaw::at(const scalar d) const
