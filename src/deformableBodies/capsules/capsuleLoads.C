@@ -70,32 +70,38 @@ void Foam::capsuleGroup::contactPoints(const label i, vector* X,
     }
 }
 
-void Foam::capsuleGroup::loads(vector* X, vector* F, const scalar time)
+void Foam::capsuleGroup::loads(vector* X, vector* F, const scalar time) const
 {
     const auto timing(scene_.effects.time("membrane"));
     const label n = markers_->size();
     forAll(mine(), i)
     {
-        capsule& c = capsules_[i];
+        const capsule& c = capsules_[i];
         std::copy(c.markersMid.begin(), c.markersMid.end(), X);
         forcesOnFluid(i, time, F);
-        if (nearField_) nearLoad(c, F);
-        c.near.X.clear();
         X += n;
         F += n;
     }
 }
 
+void Foam::capsuleGroup::recordLoads(const vector* F)
+{
+    if (!nearField_) return;
+    const auto timing(scene_.effects.time("membrane"));
+    for (capsule& c : capsules_)
+    {
+        nearLoad(c, F);
+        setNearForces(c);
+        F += markers_->size();
+    }
+}
+
 void Foam::capsuleGroup::forcesOnFluid(const label i, const scalar time,
-                                       vector* F)
+                                       vector* F) const
 {
     const capsule& c = capsules_[i];
-    if (penalty_)
-        coeffs_ = c.load;
-    else
-        load(c.xMid, coeffs_);
     const label n = markers_->size();
-    markers_->values(coeffs_.data(), F);
+    markers_->values(c.load.data(), F);
     for (label k = 0; k < n; ++k)
     {
         F[k] *= -markers_->weight(k);
@@ -112,26 +118,26 @@ void Foam::capsuleGroup::forcesOnFluid(const label i, const scalar time,
 }
 
 const Foam::bodyGroup::pointForces&
-Foam::capsuleGroup::nearForces(const label i)
+Foam::capsuleGroup::nearForces(const label i) const
 {
-    capsule& c = capsules_[i];
-    if (c.near.X.empty() && !c.onFluid.empty())
-    {
-        nearField_->forces(c.x.data(), c.onFluid.data(), c.near.X, c.near.F);
-    }
-    return c.near;
+    return capsules_[i].near;
+}
+
+void Foam::capsuleGroup::setNearForces(capsule& c) const
+{
+    if (!hasNearPartner() || c.onFluid.empty()) return;
+    nearField_->forces(c.x.data(), c.onFluid.data(), c.near.X, c.near.F);
 }
 
 // Forces have the solid angles in them, and the opposite sign of loads
 void Foam::capsuleGroup::nearLoad(capsule& c, const vector* F) const
 {
-    const numbers& middle = coeffs_;
     numbers now(coeffs_.size());
     load(c.x, now);
     c.onFluid.resize(coeffs_.size());
     markers_->valuesAdjoint(F, c.onFluid.data());
     for (size_t j = 0; j < now.size(); ++j)
     {
-        c.onFluid[j] += 0.5 * (middle[j] - now[j]);
+        c.onFluid[j] += 0.5 * (c.load[j] - now[j]);
     }
 }

@@ -193,8 +193,8 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
             {
                 forcesOnFluid(i, s.time - dt, F.data());
                 nearLoad(c, F.cdata());
+                setNearForces(c);
             }
-            if (hasNearPartner()) nearForces(i); // before it moves
             nearField_->add(
                 c.x.data(), c.onFluid.data(), velocity.data(), c.nearMemory,
                 c.lastDeltaT > 0 ? c.lastDeltaT : dt,
@@ -258,12 +258,12 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
             {
                 elastic[j] += c.lag[j];
             }
-            c.load.resize(elastic.size());
             load(elastic, c.load);
             penalty_->apply(c.lag, c.lagBefore, c.load, dt, r);
         }
         if (stabilised_) c.previous = c.x;
         moveTo(c, coeffs_);
+        if (!penalty_ && twoWay()) load(c.xMid, c.load);
         c.velocity = velocity;
         c.lastDeltaT = dt;
     }
@@ -277,6 +277,9 @@ void Foam::capsuleGroup::startAt(capsule& c) const
     markers_->values(c.x.data(), c.markers.data());
     c.markersMid = c.markers;
     volumeGradient(c.x, c.volumeGradient);
+    c.load.resize(c.x.size());
+    if (!penalty_ && twoWay()) load(c.x, c.load);
+    setNearForces(c);
 }
 
 void Foam::capsuleGroup::moveTo(capsule& c, const numbers& x) const

@@ -45,7 +45,7 @@ void Foam::filamentGroup::markers(vector* X, const scalar dt)
     }
 }
 
-void Foam::filamentGroup::loads(vector* X, vector* F, scalar)
+void Foam::filamentGroup::loads(vector* X, vector* F, scalar) const
 {
     for (const body& x : bodies_)
     {
@@ -54,7 +54,7 @@ void Foam::filamentGroup::loads(vector* X, vector* F, scalar)
     }
 }
 
-void Foam::filamentGroup::observe(const vector* U)
+void Foam::filamentGroup::recordSlip(const vector* U)
 {
     for (body& x : bodies_)
     {

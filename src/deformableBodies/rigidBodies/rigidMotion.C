@@ -54,7 +54,7 @@ void Foam::rigidGroup::lines(label* line) const
     }
 }
 
-void Foam::rigidGroup::loads(vector* X, vector* F, scalar)
+void Foam::rigidGroup::loads(vector* X, vector* F, scalar) const
 {
     for (const body& x : bodies_)
     {
@@ -80,7 +80,7 @@ Foam::vectorField Foam::rigidGroup::felt(const label i, const vector* U) const
     return v;
 }
 
-const Foam::bodyGroup::pointForces& Foam::rigidGroup::nearForces(const label i)
+const Foam::bodyGroup::pointForces& Foam::rigidGroup::nearForces(const label i) const
 {
     const body& x = bodies_[i];
     const tensor R(isSphere() ? tensor::I : x.turn.R());
@@ -99,7 +99,7 @@ Foam::scalar Foam::rigidGroup::slipOf(const body& x, const vectorField& u)
         mag(x.velocity + (x.angularVelocity ^ (x.markers - x.centre)) - u));
 }
 
-void Foam::rigidGroup::observe(const vector* U)
+void Foam::rigidGroup::recordSlip(const vector* U)
 {
     forAll(mine(), i)
     {

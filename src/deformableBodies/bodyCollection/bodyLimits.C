@@ -1,0 +1,115 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "bodyLimits.H"
+#include "sceneNumbers.H"
+#include "stepGuard.H"
+
+Foam::scalar Foam::bodyLimits::maxDeltaT(string* reason) const
+{
+    scalar limit = GREAT;
+    for (const bodyGroup& group : system_.groups)
+    {
+        if (!group.twoWay() || group.maxDeltaT() >= limit) continue;
+        limit = group.maxDeltaT();
+        if (reason)
+        {
+            *reason = (group.forcing() == forcingType::none
+                           ? "stiffest waves of group "
+                           : "bodies lighter than the fluid in group ") +
+                      group.name();
+        }
+    }
+    return limit;
+}
+
+Foam::List<Foam::expectedErrors>
+Foam::bodyLimits::errors(const flowScales& flow) const
+{
+    List<expectedErrors> all(system_.groups.size());
+    forAll(system_.groups, g)
+    {
+        all[g] = system_.groups[g].errors(flow);
+        if (usesPimple_ && system_.groups[g].twoWay())
+        {
+            all[g].parts.push_back(
+                {"flow", 0.01, "pimple in place of staggered", nullptr});
+        }
+    }
+    return all;
+}
+
+Foam::scalar Foam::bodyLimits::wantedDeltaT() const
+{
+    if (system_.empty() || system_.accuracy.wanted <= 0 ||
+        !system_.adjustsStep() || !system_.solverBalances)
+    {
+        return GREAT;
+    }
+    if (wantedIsKnown_) return wantedDeltaT_;
+
+    wantedIsKnown_ = true;
+    const bool continues = wantedDeltaT_ < GREAT;
+    string from;
+    List<expectedErrors> all(errors(scalesAtStart(system_.mesh, from)));
+    forAll(all, g)
+    {
+        if (continues &&
+            !returnReduce(system_.groups[g].startsAfresh(), orOp<bool>()))
+        {
+            continue;
+        }
+        wantedDeltaT_ =
+            min(wantedDeltaT_, stepFor(all[g], system_.accuracy.wanted));
+    }
+    return wantedDeltaT_;
+}
+
+void Foam::bodyLimits::describe() const
+{
+    system_.effects.printEffects();
+    if (system_.empty()) return;
+    List<expectedErrors> all(errors(printSceneNumbers(
+        system_.mesh, system_.rho, *system_.nu, system_.groups)));
+    bool fresh = false;
+    forAll(all, g)
+    {
+        if (wantedDeltaT() < GREAT) stepFor(all[g], system_.accuracy.wanted);
+        fresh = fresh || system_.groups[g].startsAfresh();
+    }
+
+    // A run that was begun with an accuracy is not refused in the middle
+    reduce(fresh, orOp<bool>());
+    judgeErrors(all, fresh ? system_.accuracy.wanted : 0,
+                system_.mesh.time().constant() / "deformableBodies");
+}
+
+void Foam::bodyLimits::check(const bool firstStep)
+{
+    string group;
+    const Time& time = system_.mesh.time();
+    const scalar limit = maxDeltaT(&group), deltaT = time.deltaTValue();
+    if (deltaT <= (1 + 1e-6) * limit) return;
+
+    const string what("deltaT " + Foam::name(deltaT) + " is " +
+                      Foam::name(deltaT / limit) + " times what the " + group +
+                      " bear by the estimate, " + Foam::name(limit) + " s");
+    if (firstStep && deltaT > 200 * limit)
+    {
+        FatalErrorInFunction
+            << what.c_str() << ": bodies would diverge within a few steps" << nl
+            << "    allowed: deltaT up to " << Foam::name(limit)
+            << ", at most 200 times that, or softer bodies" << exit(FatalError);
+    }
+    if (warned_ >= 0 && time.timeIndex() < warned_ + stepGuard::pause) return;
+    warned_ = time.timeIndex();
+    if (Pstream::master())
+    {
+        WarningInFunction
+            << what.c_str() << nl << "    If bodies diverge, reduce it"
+            << (system_.adjustsStep()
+                    ? " (maxDeltaT in system/controlDict: this solver "
+                      "adjusts its step without regard to bodies)"
+                    : "")
+            << endl;
+    }
+}

@@ -1,0 +1,266 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "bodyMotion.H"
+
+namespace
+{
+Foam::scalar impulseFractionOf(const Foam::forcingType forcing,
+                               const Foam::scalar diffusionNumber)
+{
+    return forcing == Foam::forcingType::ofLines
+               ? Foam::impulseFractionOfLine(diffusionNumber)
+               : Foam::impulseFractionOfSurface(diffusionNumber);
+}
+
+//- Add a force to all faces of this rank in each direction
+void addUniform(const Foam::vector& force, const Foam::labelVector& n,
+                const Foam::staggeredTarget& field)
+{
+    using namespace Foam;
+    for (direction d = 0; d < 3; ++d)
+    {
+        for (label k = 0; k < n.z(); ++k)
+        {
+            for (label j = 0; j < n.y(); ++j)
+            {
+                scalar* row = field.first[d] + k * field.layer + j * field.row;
+                for (label i = 0; i < n.x(); ++i)
+                {
+                    row[i] += force[d];
+                }
+            }
+        }
+    }
+}
+} // namespace
+
+void Foam::bodyMotion::moveWithVelocity(const staggeredView& u,
+                                        staggeredField& force)
+{
+    const Time& time = system_.mesh.time();
+    const auto timing(system_.effects.time("places"));
+    const labelList groups(system_.groupsThat(forcingType::none));
+    markerValues markers;
+    if (!system_.withoutFluid && groups.size())
+    {
+        const scalar dt = time.deltaTValue();
+        markers = place(groups, dt);
+        const auto timing(system_.effects.time("interpolation"));
+        system_.markers->interpolate({u}, markers.U);
+    }
+    if (system_.contrast) updateViscosity(groups);
+    move(groups, markers, {time.value(), time.deltaTValue(), false, 1});
+    if (trouble_.any) return;
+    if (system_.interactions) system_.interactions->update();
+
+    markers = loads(groups);
+    const vector* F = markers.F.cdata();
+    for (const label g : groups)
+    {
+        if (!system_.groups[g].twoWay()) continue;
+        system_.groups[g].recordLoads(F);
+        F += system_.groups[g].nMarkers();
+    }
+    if (!returnReduce(markers.X.size(), maxOp<label>())) return;
+    const auto spreading(system_.effects.time("spreading"));
+    system_.markers->place(markers.X);
+    system_.markers->spread(markers.F, perMass(force, markers.F));
+}
+
+void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p)
+{
+    moveWithPrediction(p, forcingType::ofLines);
+    moveWithPrediction(p, forcingType::ofSurfaces);
+}
+
+void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p,
+                                          const forcingType forcing)
+{
+    const labelList groups(system_.groupsThat(forcing));
+    if (groups.empty() || trouble_.any) return;
+    const Time& time = system_.mesh.time();
+    const scalar fraction = impulseFractionOf(forcing, p.diffusionNumber);
+
+    // A prediction has the force of the last step at the present markers
+    markerValues markers(place(groups, time.deltaTValue()));
+    vectorField forceBefore;
+    if (!p.isOfLastStep)
+    {
+        forceBefore = loads(groups).F;
+        const auto timing(system_.effects.time("spreading"));
+        for (label i = 1; i < p.force.size(); ++i)
+        {
+            system_.markers->spread(forceBefore,
+                                    perMass(p.force[i], forceBefore));
+        }
+        system_.markers->spreadAndInterpolate(
+            forceBefore, perMass(p.force[0], forceBefore), p.after(fraction),
+            markers.U);
+    }
+    else
+    {
+        const auto timing(system_.effects.time("interpolation"));
+        system_.markers->interpolate(p.u, markers.U);
+    }
+    move(groups, markers,
+         {time.value(), time.deltaTValue(), !p.isOfLastStep, fraction});
+    if (trouble_.any) return;
+
+    vectorField change(loads(groups).F);
+    if (!p.isOfLastStep) change -= forceBefore;
+    const auto timing(system_.effects.time("spreading"));
+    for (const staggeredTarget& force : p.force)
+    {
+        system_.markers->spread(change, perMass(force, change));
+    }
+}
+
+Foam::bodyMotion::markerValues
+Foam::bodyMotion::place(const labelUList& groups, const scalar dt)
+{
+    const auto timing(system_.effects.time("interpolation"));
+    const forcingType forcing = system_.groups[groups[0]].forcing();
+    const bool haveLines = forcing != forcingType::none;
+    markerValues markers;
+    markers.X.setSize(system_.nMarkers(groups));
+    labelList line(haveLines ? markers.X.size() : 0, -1);
+    label first = 0, firstLine = 0;
+    for (const label g : groups)
+    {
+        bodyGroup& group = system_.groups[g];
+        const label n = group.nMarkers();
+        group.markers(markers.X.data() + first, dt);
+        if (haveLines)
+        {
+            group.lines(line.data() + first);
+            for (label k = first; k < first + n; ++k)
+            {
+                if (line[k] >= 0) line[k] += firstLine;
+            }
+            firstLine += group.nBodies();
+        }
+        first += n;
+    }
+    system_.markers->place(markers.X);
+    if (haveLines)
+    {
+        system_.markers->lineDensity(markers.X, line,
+                                     forcing == forcingType::ofLines,
+                                     markers.lineDensity);
+    }
+    return markers;
+}
+
+void Foam::bodyMotion::recordSlip(const staggeredView& u)
+{
+    forAll(system_.groups, g)
+    {
+        bodyGroup& group = system_.groups[g];
+        if (group.forcing() == forcingType::none) continue;
+        const auto timing(system_.effects.time("interpolation"));
+        vectorField X(group.nMarkers()), U;
+        group.markers(X.data(), 0);
+        system_.markers->place(X);
+        system_.markers->interpolate({u}, U);
+        group.recordSlip(U.cdata());
+    }
+}
+
+void Foam::bodyMotion::move(const labelUList& groups,
+                            const markerValues& markers, const bodyStep& step)
+{
+    const vector* U = markers.U.cdata();
+    const scalar* lineDensity = markers.lineDensity.cdata();
+    bodyInteractions* interactions = system_.interactions.get();
+    if (interactions && groups.size() &&
+        system_.groups[groups[0]].forcing() == forcingType::ofLines)
+    {
+        interactions->resist(groups, U, lineDensity, step);
+    }
+    for (const label g : groups)
+    {
+        trouble_.note(system_.groups[g].move(U, lineDensity, step));
+        U += system_.groups[g].nMarkers();
+        lineDensity += system_.groups[g].nMarkers();
+    }
+    trouble_.share();
+
+    // Bodies go with the fluid, by what it did in this step and the last
+    if (interactions && markers.U.size())
+    {
+        interactions->travel(1.5 * step.dt * max(mag(markers.U)));
+    }
+}
+
+Foam::bodyMotion::markerValues
+Foam::bodyMotion::loads(const labelUList& groups) const
+{
+    DynamicList<label> acting;
+    for (const label g : groups)
+    {
+        if (system_.groups[g].twoWay()) acting.append(g);
+    }
+    markerValues markers;
+    markers.X.setSize(system_.nMarkers(acting));
+    markers.F.setSize(markers.X.size());
+    const Time& time = system_.mesh.time();
+    const scalar middle = time.value() - 0.5 * time.deltaTValue();
+    label first = 0;
+    for (const label g : acting)
+    {
+        system_.groups[g].loads(markers.X.data() + first,
+                                markers.F.data() + first, middle);
+        first += system_.groups[g].nMarkers();
+    }
+    return markers;
+}
+
+void Foam::bodyMotion::spreadLoads(staggeredField& faces) const
+{
+    const markerValues markers(loads(identity(system_.groups.size())));
+    if (!returnReduce(markers.X.size(), maxOp<label>())) return;
+    const auto timing(system_.effects.time("spreading"));
+    system_.markers->place(markers.X);
+    system_.markers->spread(markers.F, faces);
+}
+
+Foam::staggeredTarget
+Foam::bodyMotion::perMass(const staggeredTarget& force,
+                          const vectorField& F) const
+{
+    staggeredTarget target(force);
+    target.factor /= system_.rho;
+    if (system_.periodicBox())
+    {
+        const vector L(system_.grid.length());
+        addUniform(-target.factor * gSum(F) / (L.x() * L.y() * L.z()),
+                   system_.grid.box().size, force);
+    }
+    return target;
+}
+
+void Foam::bodyMotion::updateViscosity(const labelUList& groups)
+{
+    const auto timing(system_.effects.time("viscosityRatio"));
+    scalar excess = 0;
+    vectorField G(system_.nMarkers(groups), Zero);
+    label first = 0;
+    for (const label g : groups)
+    {
+        const bodyGroup& group = system_.groups[g];
+        const label n = group.nMarkers();
+        const scalar around =
+            group.host() < 0 ? 1 : system_.groups[group.host()].viscosityRatio();
+        const scalar more = group.viscosityRatio() - around;
+        if (more != 0 && group.twoWay())
+        {
+            SubField<vector> dS(G, n, first);
+            group.areas(dS.data());
+            dS *= -more;
+            excess += more * group.volume();
+        }
+        first += n;
+    }
+    staggeredField work(system_.grid.box());
+    system_.contrast->update(*system_.markers, G, excess, work);
+}

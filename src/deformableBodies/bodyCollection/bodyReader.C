@@ -1,0 +1,266 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "bodyReader.H"
+#include "bodyStateFile.H"
+#include "caseFiles.H"
+#include "dictionaryChecks.H"
+#include "uniformDimensionedFields.H"
+
+Foam::bodyReader::bodyReader(const IOdictionary& dict, bodySystem& system)
+    : dict_(dict),
+      transport_(IOobject("transportProperties",
+                          system.mesh.time().constant(), system.mesh,
+                          IOobject::MUST_READ, IOobject::NO_WRITE, false)),
+      system_(system)
+{
+}
+
+void Foam::bodyReader::read()
+{
+    checkMesh();
+    checkTimeSchemes();
+    readFluid();
+    system_.neighbours.reset(new blockNeighbours(system_.grid));
+    system_.ownership.reset(new bodyOwnership(*system_.neighbours));
+    system_.markers.reset(new markerSet(system_.grid, deltaKernel(dict_),
+                                        *system_.neighbours));
+    system_.accuracy = bodyAccuracy(dict_);
+    const bodyScene around(scene());
+    readGroups(around);
+    readSampleInterval();
+    declareCoupling();
+    readViscosityRatios();
+    given_.append(
+        entriesOf(dict_, {"FoamFile", "variables", "bodies", "restart",
+                          "removed", "sampleInterval", "wrap"}));
+    readLoads();
+    readInteractions(around);
+    system_.effects.declare("places", true,
+                            "bodies that leave their block or the box, or "
+                            "come close");
+}
+
+void Foam::bodyReader::checkMesh() const
+{
+    system_.grid.require(dict_, "deformableBodies");
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (system_.mesh.geometricD()[d] < 0)
+        {
+            firstRankSpeaks();
+            FatalIOErrorInFunction(dict_)
+                << "deformableBodies needs three dimensions, but direction "
+                << vector::componentNames[d] << " has patches of type empty"
+                << nl << "    allowed: cyclic patches in place of them, and "
+                << "several cells" << exit(FatalIOError);
+        }
+    }
+    if (system_.mesh.dynamic())
+    {
+        firstRankSpeaks();
+        FatalIOErrorInFunction(dict_)
+            << "deformableBodies needs a mesh that does not move or change"
+            << exit(FatalIOError);
+    }
+}
+
+void Foam::bodyReader::checkTimeSchemes() const
+{
+    const dictionary schemes(
+        system_.mesh.schemesDict().subOrEmptyDict("ddtSchemes"));
+    for (const entry& e : schemes)
+    {
+        if (!e.isStream()) continue;
+        const string scheme(e.stream().toString());
+        for (const word notInTime :
+             {"steadyState", "localEuler", "CoEuler", "SLTS"})
+        {
+            if (scheme.find(notInTime) == string::npos) continue;
+            refuse(schemes, e.keyword(), scheme,
+                   "Euler, backward or CrankNicolson: bodies move in time, so "
+                   "that solvers of steady flow cannot carry them");
+        }
+    }
+}
+
+void Foam::bodyReader::readFluid()
+{
+    const fvMesh& mesh = system_.mesh;
+    system_.rho = readPositive(transport_, "rho", dimDensity);
+    system_.nu.reset(new fluidViscosity(mesh, transport_, dict_));
+    dictionary saved;
+    fileName file;
+    const bool continues =
+        mesh.time().value() > 0 &&
+        dict_.getOrDefault<word>("restart", "continue") != "initial";
+    if (system_.nu->isMean() && continues &&
+        bodyStateFile::read(mesh, saved, file))
+    {
+        const dictionary before(saved.subOrEmptyDict(bodyStateFile::allGroups));
+        if (before.found("nu")) system_.nu->restore(before.get<scalar>("nu"));
+    }
+}
+
+Foam::bodyScene Foam::bodyReader::scene() const
+{
+    const Time& time = system_.mesh.time();
+    return {system_.grid,
+            system_.markers->kernel(),
+            system_.solverBalances,
+            system_.rho,
+            system_.rho * system_.nu->value(),
+            readGravity(),
+            expectedDeltaT(),
+            system_.adjustsStep(),
+            time.endTime().value() - time.startTime().value(),
+            system_.accuracy,
+            readCoupling(dict_, bodyCoupling::twoWay),
+            removesOutside(dict_, false),
+            system_.forces,
+            system_.placed,
+            system_.effects};
+}
+
+Foam::vector Foam::bodyReader::readGravity() const
+{
+    const fvMesh& mesh = system_.mesh;
+    const IOobject io("g", mesh.time().constant(), mesh, IOobject::MUST_READ,
+                      IOobject::NO_WRITE, false);
+    if (!isThere<uniformDimensionedVectorField>(io)) return Zero;
+    const uniformDimensionedVectorField g(io);
+    checkDimensions(g, dimAcceleration);
+    return g.value();
+}
+
+Foam::scalar Foam::bodyReader::expectedDeltaT() const
+{
+    const Time& time = system_.mesh.time();
+    if (!system_.adjustsStep()) return time.deltaTValue();
+    return time.controlDict().getOrDefault<scalar>(
+        "maxDeltaT", system_.solverBalances ? 0 : GREAT);
+}
+
+// Samples of many bodies at each step would cost a good part of it
+void Foam::bodyReader::readSampleInterval()
+{
+    label nBodies = 0;
+    for (const bodyGroup& group : system_.groups)
+    {
+        nBodies += group.nBodies();
+    }
+    system_.sampleInterval = dict_.getOrDefault<label>(
+        "sampleInterval", max(label(1), nBodies / 16));
+    if (system_.sampleInterval < 1)
+    {
+        refuse(dict_, "sampleInterval", Foam::name(system_.sampleInterval),
+               "1 and greater");
+    }
+}
+
+void Foam::bodyReader::declareCoupling() const
+{
+    const bool inFluid = !system_.withoutFluid, feedback = system_.twoWay();
+    if (inFluid && !system_.nu->known())
+    {
+        refuse(
+            dict_, "nu", "none",
+            "the viscosity of the fluid [m^2/s]: the solver has no model that "
+            "tells it");
+    }
+    system_.effects.declare(
+        "interpolation", inFluid,
+        inFluid ? deltaKernel::names[system_.markers->kernel().type()] +
+                      " kernel at face centres"
+                : word("coupling none"));
+    system_.effects.declare(
+        "spreading", feedback,
+        !feedback                ? "coupling oneWay or none"
+        : system_.periodicBox() ? "loads act on the fluid, less their mean, "
+                                  "which nothing holds in a box without walls"
+                                : "loads act on the fluid");
+}
+
+void Foam::bodyReader::readViscosityRatios()
+{
+    // A fluid that does not feel the bodies has its own viscosity everywhere
+    const label n = system_.groups.size();
+    scalarList ratios(n, scalar(1));
+    bool unfelt = false;
+    forAll(ratios, g)
+    {
+        const scalar ratio = system_.groups[g].viscosityRatio();
+        if (system_.groups[g].twoWay())
+            ratios[g] = ratio;
+        else
+            unfelt = unfelt || ratio != 1;
+    }
+    const bool contrast = ratios != scalarList(n, scalar(1));
+    if (contrast)
+    {
+        const word model(transport_.get<word>("transportModel"));
+        if (model != "Newtonian")
+        {
+            refuse(transport_, "transportModel", model,
+                   "Newtonian where bodies have a viscosityRatio");
+        }
+        system_.contrast.reset(new viscosityContrast(
+            system_.mesh, readPositive(transport_, "nu", dimViscosity),
+            ratios));
+    }
+    system_.effects.declare(
+        "viscosityRatio", contrast,
+        contrast ? "up to " + Foam::name(max(ratios)) + ", down to " +
+                       Foam::name(min(ratios))
+        : unfelt ? string("coupling oneWay: the fluid does not feel the bodies")
+                 : string("same fluid inside"));
+}
+
+void Foam::bodyReader::readLoads()
+{
+    const dictionary& loads =
+        readDictIfThere(dict_, "loads", "pull { type deadLoad; group ...; }");
+    wordList names;
+    for (const bodyGroup& group : system_.groups)
+    {
+        names.append(group.name());
+    }
+    for (const word& name : loads.toc())
+    {
+        const dictionary& load =
+            readDict(loads, name, "type deadLoad; group ...; force (0 -1 0);");
+        const word group(load.get<word>("group"));
+        const label g = names.find(group);
+        if (g < 0)
+        {
+            refuse(load, "group", group, oneOf(names));
+        }
+        system_.forces.append(
+            bodyForce::New(load, system_.groups[g].points(-1)).ptr());
+        system_.effects.declare(system_.forces.last().effect(), true, name);
+        if (!system_.groups[g].takesForces())
+        {
+            refuse(load, "group", group,
+                   "a group that acts on the fluid: capsules that are only "
+                   "carried by it (coupling oneWay) feel no force");
+        }
+    }
+    if (loads.empty()) system_.effects.declare("loads", false, "none given");
+}
+
+void Foam::bodyReader::readInteractions(const bodyScene& scene)
+{
+    dictionary interactions(
+        dict_, readDictIfThere(dict_, "interactions", "repulsion {}"));
+    string reason(interactions.empty() ? "none given"
+                                       : "bodies that come close");
+    if (!nucleated_.empty() && !interactions.found("repulsion"))
+    {
+        interactions.add("repulsion", dictionary());
+        reason = "repulsion, which keeps the nuclei of " + nucleated_ +
+                 " inside and acts between all bodies";
+    }
+    system_.effects.declare("interactions", !interactions.empty(), reason);
+    if (interactions.empty()) return;
+    system_.interactions.reset(new bodyInteractions(
+        interactions, system_.mesh, system_.groups, scene));
+}

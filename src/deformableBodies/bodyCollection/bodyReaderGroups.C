@@ -1,0 +1,104 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "bodyReader.H"
+#include "bodyStateFile.H"
+#include "dictionaryChecks.H"
+#include "judgedRatio.H"
+#include "nucleusReader.H"
+
+namespace
+{
+//- Entries that stand beside the dictionary bodies
+const Foam::wordList
+    besideBodies({"sampleInterval", "accuracy", "kernel", "coupling",
+                  "interactions", "loads", "wrap", "restart", "removed",
+                  "outside", "nu"});
+
+//- Characters of a group's name, which becomes a file name
+const char* const nameCharacters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+.";
+} // namespace
+
+void Foam::bodyReader::readGroups(const bodyScene& scene)
+{
+    wordList allowed({"FoamFile", "variables", "bodies"});
+    allowed.append(besideBodies);
+    checkEntries(dict_, allowed);
+    const dictionary& bodies =
+        readDict(dict_, "bodies", "cells { type capsule; ... }");
+    if (bodies.empty()) refuse(dict_, "bodies", "{}", "one group and more");
+
+    bool inFluid = false;
+    for (const word& name : bodies.toc())
+    {
+        checkGroup(bodies, name);
+        const dictionary& group = readDict(bodies, name, "type capsule; ...");
+        addGroup(name, group, scene);
+        inFluid = inFluid || !system_.groups.last().alone();
+        if (group.found("nucleus")) addNuclei(bodies, name, group, scene);
+    }
+    system_.withoutFluid = !inFluid;
+}
+
+void Foam::bodyReader::checkGroup(const dictionary& bodies,
+                                  const word& name) const
+{
+    const dictionary* isGroup = bodies.findDict(name, keyType::LITERAL);
+    if (besideBodies.found(name) && !(isGroup && isGroup->found("type")))
+    {
+        refuse(bodies, name, valueOf(*bodies.findEntry(name)),
+               "groups of bodies; " + name +
+                   " belongs beside bodies {...}, "
+                   "not into it");
+    }
+    if (bodyStateFile::reserved(name))
+    {
+        refuse(dict_, "bodies", "a group " + name,
+               "other names, as the state has an entry of this name");
+    }
+    if (name.find_first_not_of(nameCharacters) != string::npos)
+    {
+        refuse(dict_, "bodies", "a group with the name \"" + name + "\"",
+               "names of letters, digits and _ - + .");
+    }
+}
+
+void Foam::bodyReader::addGroup(const word& name, const dictionary& group,
+                                const bodyScene& scene)
+{
+    system_.groups.append(bodyGroup::New(name, group, scene).ptr());
+    given_.append(entriesOf(group, {"restart", "type", "nucleus"}));
+}
+
+void Foam::bodyReader::addNuclei(const dictionary& bodies, const word& name,
+                                 const dictionary& group,
+                                 const bodyScene& scene)
+{
+    const label host = system_.groups.size() - 1;
+    const word inside(name + "Nucleus");
+    if (bodies.found(inside))
+    {
+        refuse(bodies, inside, valueOf(*bodies.findEntry(inside)),
+               "other names: the nuclei of " + name + " have this one");
+    }
+    const nucleusReader reader(group, system_.groups[host], system_.grid);
+    const dictionary nuclei(reader.group());
+    bodyScene within(scene);
+    within.mu *= system_.groups[host].viscosityRatio();
+    within.insideBodies = true;
+    system_.groups.append(bodyGroup::New(inside, nuclei, within).ptr());
+    system_.groups.last().putInto(host, system_.groups[host]);
+    if (!system_.groups.last().hasNearPartner())
+    {
+        judge(group,
+              {{"nucleus", "gap to the membrane/h",
+                reader.gap() / cmptMax(system_.grid.h()), 0, GREAT, 10, GREAT,
+                "without the near field of both (see its row in the "
+                "table of effects) the fluid in between resists too "
+                "much: D was 22 (rigid) and 42 % (capsule) low with 2 "
+                "cells, 7 and 12 % with 5"}});
+    }
+    given_.append(entriesOf(nuclei, {"type", "positions"}));
+    system_.effects.declare("nucleus", true, "in group " + name);
+    nucleated_ = name;
+}
