@@ -247,8 +247,8 @@ Foam::label Foam::bodyWriter::shift(const scalar now,
         seriesBefore(pictures_ / groups_[g].name() + ".vtp.series", now, &next);
     }
     if (next <= timeIndex) return 0;
-    Info << "Pictures go on with number " << next << ", as there are some of "
-         << "earlier times; time steps count from " << timeIndex << nl;
+    Info << "VTK files are numbered from " << next << ", to keep earlier ones"
+         << nl;
     return next - timeIndex;
 }
 

@@ -6,11 +6,10 @@
 #include "IFstream.H"
 #include "OSspecific.H"
 #include "polyMesh.H"
+#include "StringStream.H"
 #include "Time.H"
 #include <algorithm>
 #include <cctype>
-#include <numeric>
-#include <vector>
 
 namespace
 {
@@ -71,37 +70,53 @@ string whatIsWrong(const fileName& file, const word& className)
     return "its header is damaged or names another class than " + className;
 }
 
-//- How many letters differ, are missing or are too many
-size_t distance(const std::string& a, const std::string& b)
+//- First bracket of a token stream that does not match; empty if all do
+string wrongBrackets(ISstream& is)
 {
-    std::vector<size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), size_t(0));
-    for (size_t i = 0; i < a.size(); ++i)
+    std::string open; // closing brackets that are still to come
+    for (token t(is); t.good(); is >> t)
     {
-        size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (size_t j = 0; j < b.size(); ++j)
+        if (!t.isPunctuation()) continue;
+        const char c = t.pToken();
+        if (c == token::BEGIN_BLOCK) open += token::END_BLOCK;
+        if (c == token::BEGIN_LIST) open += token::END_LIST;
+        if (c != token::END_BLOCK && c != token::END_LIST) continue;
+        if (open.empty() || open.back() != c)
         {
-            const size_t exchanged = diagonal + (a[i] != b[j]);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({exchanged, row[j] + 1, row[j + 1] + 1});
+            return "line " + Foam::name(is.lineNumber()) + " closes with " +
+                   string(1, c) + " what is not open";
         }
+        open.pop_back();
     }
-    return row.back();
+    if (open.empty()) return "";
+    return "it ends where " + string(1, open.back()) + " is still to come";
 }
 
-//- Letters of a name in lower case. A file with an ending other than .txt and
-//  .dict, such as .orig, has been put aside
-std::string plain(const fileName& name)
+//- wrongBrackets, or the reason why OpenFOAM cannot read a token
+string wrongTokens(ISstream& is)
 {
-    const word ending(name.ext());
-    std::string letters;
-    if (!ending.empty() && ending != "txt" && ending != "dict") return letters;
-    for (const unsigned char c : fileName(name.lessExt()))
+    const bool throwing = FatalIOError.throwExceptions();
+    string wrong;
+    try
     {
-        if (std::isalnum(c)) letters += char(std::tolower(c));
+        wrong = wrongBrackets(is);
     }
-    return letters;
+    catch (const IOerror& error)
+    {
+        wrong = is.eof() ? string("it ends where a value is still incomplete")
+                         : error.message();
+    }
+    FatalIOError.throwExceptions(throwing);
+    return wrong;
+}
+
+std::string lowerCase(std::string name)
+{
+    for (char& c : name)
+    {
+        c = char(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return name;
 }
 } // namespace
 
@@ -175,60 +190,8 @@ void Foam::requireFinishedTime(const polyMesh& mesh, const wordList& fields)
 
 Foam::string Foam::wrongBrackets(const std::string& text)
 {
-    std::string open; // what is still to be closed
-    label line = 1;
-    const size_t end = text.size();
-    for (size_t i = 0; i < end; ++i)
-    {
-        // Comments, strings and verbatim code have brackets of their own
-        const auto skipTo = [&](const char* mark)
-        {
-            const size_t to = min(end, text.find(mark, i + 1));
-            line +=
-                label(std::count(text.begin() + i, text.begin() + to, '\n'));
-            i = to;
-        };
-        const char c = text[i], next = i + 1 < end ? text[i + 1] : ' ';
-        if (c == '\n')
-            ++line;
-        else if (c == '\\')
-            ++i;
-        else if (c == '/' && next == '/')
-        {
-            skipTo("\n");
-            ++line;
-        }
-        else if (c == '/' && next == '*')
-            skipTo("*/");
-        else if (c == '#' && next == '{')
-        {
-            skipTo("#}");
-            ++i;
-        }
-        else if (c == '"')
-        {
-            for (++i; i < end && text[i] != '"'; ++i)
-            {
-                if (text[i] == '\n') ++line;
-                if (text[i] == '\\') ++i;
-            }
-        }
-        else if (c == '{')
-            open += '}';
-        else if (c == '(')
-            open += ')';
-        else if (c == '}' || c == ')')
-        {
-            if (open.empty() || open.back() != c)
-            {
-                return "line " + Foam::name(line) + " closes with " +
-                       string(1, c) + " what is not open";
-            }
-            open.pop_back();
-        }
-    }
-    if (open.empty()) return "";
-    return "it ends where " + string(1, open.back()) + " is still to come";
+    IStringStream is(text);
+    return wrongTokens(is);
 }
 
 void Foam::requireBrackets(const IOobject& io, const word& className)
@@ -240,7 +203,11 @@ void Foam::requireBrackets(const IOobject& io, const word& className)
         // Numbers in binary may look like brackets
         const std::string text(textOf(file));
         const std::string header(text.substr(0, text.find('}')));
-        if (header.find("binary;") == string::npos) wrong = wrongBrackets(text);
+        if (header.find("binary;") == string::npos)
+        {
+            IFstream is(file);
+            wrong = wrongTokens(is);
+        }
     }
     Pstream::scatter(wrong);
     if (wrong.empty()) return;
@@ -265,28 +232,17 @@ Foam::fileName Foam::misplacedFile(const IOobject& io)
     fileName found;
     if (Pstream::master())
     {
-        const fileName root(io.time().globalPath());
-        const fileName right(root / io.instance() / io.db().dbDir() /
-                             io.name());
-        fileNameList folders({root, root / io.instance(),
-                              root / io.time().system(), root / "0",
-                              root / "0.orig", right.path()});
-        for (const fileName& name : readDir(root, fileName::DIRECTORY))
-        {
-            if (name.compare(0, 9, "processor") == 0)
-            {
-                folders.append(root / name / io.instance());
-            }
-        }
-        const std::string wanted(plain(io.name()));
+        const Time& time = io.time();
+        const fileName right(time.globalPath() / io.instance() /
+                             io.db().dbDir() / io.name());
+        const fileNameList folders(
+            {right.path(), time.globalPath() / time.system()});
         for (const fileName& folder : folders)
         {
             for (const fileName& name : readDir(folder, fileName::FILE))
             {
-                const std::string here(plain(name));
-                if (found.empty() && folder / name != right &&
-                    (distance(here, wanted) <= 3 || here == "bodies" ||
-                     here.compare(0, 12, wanted, 0, 12) == 0))
+                if (folder / name != right &&
+                    lowerCase(name) == lowerCase(io.name()))
                 {
                     found = folder / name;
                 }

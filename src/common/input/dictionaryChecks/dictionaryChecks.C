@@ -19,7 +19,7 @@ void Foam::checkEntries(const dictionary& dict, const wordList& allowed)
             firstRankSpeaks();
             FatalIOErrorInFunction(dict)
                 << "unknown entry " << key << " in " << dict.name() << nl
-                << "    allowed: " << flatOutput(allowed) << exit(FatalIOError);
+                << "    allowed: " << oneOf(allowed).c_str() << exit(FatalIOError);
         }
     }
 }

@@ -41,11 +41,12 @@ void Foam::judge(const dictionary& dict, const List<judgedRatio>& ratios)
             refuse(dict, r.entry, value,
                    rangeOf(r.least, r.most) + ": " + r.reason);
         }
-        if (!within(r.value, r.soundLeast, r.soundMost))
+        if (!within(r.value, r.recommendedLeast, r.recommendedMost))
         {
             IOWarningInFunction(dict)
-                << "entry " << r.entry << ": " << value.c_str() << ", sound is "
-                << rangeOf(r.soundLeast, r.soundMost).c_str() << ": "
+                << "entry " << r.entry << ": " << value.c_str()
+                << ", recommended: "
+                << rangeOf(r.recommendedLeast, r.recommendedMost).c_str() << ": "
                 << r.reason.c_str() << endl;
         }
     }

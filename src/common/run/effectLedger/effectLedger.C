@@ -117,14 +117,14 @@ void Foam::effectLedger::printCost()
                  ? "; on average over the ranks, per cent, largest"
                  : "")
          << ")" << nl;
-    std::string within;
+    std::string untimed;
     rows(
         [&](const word& name, const scalar mean, const scalar largest,
             const label calls)
         {
             if (calls == 0)
             {
-                within += ' ' + name;
+                untimed += ' ' + name;
                 return;
             }
             std::ostringstream os;
@@ -139,9 +139,9 @@ void Foam::effectLedger::printCost()
             Info << "    " << column(name, 18).c_str() << os.str().c_str()
                  << nl;
         });
-    if (!within.empty())
+    if (!untimed.empty())
     {
-        Info << "    within others, or not needed:" << within.c_str() << nl;
+        Info << "    not timed separately:" << untimed.c_str() << nl;
     }
     Info << endl;
 }

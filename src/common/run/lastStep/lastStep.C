@@ -13,12 +13,6 @@ dictionary dictionaryOf(const Time& time, const word& name)
     const auto dict = stateOfTime(time, name);
     return dict ? dictionary(*dict) : dictionary();
 }
-
-//- Time has no function for this
-struct purgeable : public Time
-{
-    static label Time::*purge() { return &purgeable::purgeWrite_; }
-};
 } // namespace
 
 Foam::lastStep::lastStep(const Time& time)
@@ -66,7 +60,12 @@ void Foam::lastStep::writeBeforeStop(const Time& time, const string& diverged)
     Info << "Writing the state before the stop" << endl;
     lastStep* step = time.getObjectPtr<lastStep>("lastStep");
     if (step) step->diverged_ = diverged;
-    Time& now = const_cast<Time&>(time);
-    now.*purgeable::purge() = 0;
-    now.writeNow();
+
+    // Time::writeNow() would purge earlier times
+    time.writeTimeDict();
+    for (const word& name : time.sortedToc())
+    {
+        const auto& object = time.lookupObject<regIOobject>(name);
+        if (object.writeOpt() != IOobject::NO_WRITE) object.write();
+    }
 }
