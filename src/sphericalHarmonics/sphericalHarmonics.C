@@ -25,7 +25,7 @@ void gaussLegendre(const int n, std::vector<double>& theta,
     weight.resize(n);
     for (int i = 0; i < (n + 1) / 2; ++i)
     {
-        // Newton in the angle: no loss of digits towards the poles
+        // Newton's method for the angle keeps all digits near the poles
         double t = pi * (i + 0.75) / (n + 0.5), dp = 0;
         for (int pass = 0; pass < 20; ++pass)
         {
@@ -48,7 +48,7 @@ void gaussLegendre(const int n, std::vector<double>& theta,
         weight[i] = weight[n - 1 - i] = 2 / (dp * dp);
     }
 }
-//- Latitudes come by fours
+//- Vector of four latitudes
 using four = Eigen::Array<double, 4, 1>;
 
 //- Largest number of latitudes of one hemisphere
@@ -82,7 +82,7 @@ void sumOfOrder(const double* table, const double* coeffs, const int n,
     }
 }
 
-//- coefficients (n x columns) += the transpose of that
+//- coefficients (n x columns) += table (n x h) times sums (columns x h)
 template<int columns>
 void addAdjointOfOrder(const double* table, const double* sums, const int n,
                        const int h, double* coeffs)
@@ -124,8 +124,8 @@ Foam::sphericalHarmonics::sphericalHarmonics(const int degree, int nTheta)
         w *= 2 * pi / nPhi_;
     }
 
-    // Within an order first the degrees symmetric about the equator
-    // (n - m even), then the others
+    // Order of the coefficients of one m: first degrees that are symmetric about the equator
+    // (n - m even), then antisymmetric ones
     int at = 0, atP = 0;
     for (int m = 0; m <= N; ++m)
     {
@@ -135,7 +135,7 @@ Foam::sphericalHarmonics::sphericalHarmonics(const int degree, int nTheta)
         atP += (N - m + 1) * padded_;
     }
 
-    // P_nm normalised over cos(theta), all orders of one latitude at a time
+    // P_nm, normalised over cos(theta); all n and m of one latitude at a time
     p_.resize(atP);
     dp_.resize(atP);
     mp_.resize(atP);
@@ -172,7 +172,7 @@ Foam::sphericalHarmonics::sphericalHarmonics(const int degree, int nTheta)
             {
                 for (int n = m + parity; n <= N; n += 2, ++k)
                 {
-                    // The derivative from neighbouring orders: no cancellation
+                    // dP/dtheta from orders m - 1 and m + 1, without cancellation
                     const double up =
                         std::sqrt((n - m) * (n + m + 1.0)) * P(n, m + 1);
                     const double down =
@@ -224,9 +224,9 @@ int Foam::sphericalHarmonics::index(const int n, const int m,
     return first_[m] + (m ? 2 * k + sine : k);
 }
 
-// Coefficients to Fourier series on each latitude. fourier: a column per
-// cos/sin of m, each 3 x nTheta. A table is symmetric about the equator for
-// even n - m, unless flip (a derivative in theta)
+// Coefficients to Fourier series on each latitude. fourier: one column for each cos and sin of
+// m, each 3 x nTheta. A table is symmetric about the equator for even n - m, or for odd n - m
+// if flip (derivatives in theta)
 void Foam::sphericalHarmonics::legendreSum(const std::vector<double>& table,
                                            const bool flip,
                                            const double* coeffs,
@@ -293,7 +293,7 @@ void Foam::sphericalHarmonics::legendreSumAdjoint(
     }
 }
 
-// The longitudes as one matrix product: at these sizes faster than an FFT
+// One matrix product for all longitudes; faster than an FFT at these sizes
 void Foam::sphericalHarmonics::fourierSum(const std::vector<double>& trig,
                                           const double* fourier,
                                           double* values) const

@@ -9,7 +9,7 @@ void Foam::bodyOwnership::distribute(bodyGroup& group,
     for (label body = 0; body < group.nBodies(); ++body)
     {
         const scalarList state(states.size() ? states[body] : scalarList());
-        if (states.size() && state.empty()) continue; // it has been removed
+        if (states.size() && state.empty()) continue; // removed body
         const point centre(states.size() ? group.centreOf(state, body, source)
                                          : group.initialCentre(body));
         if (group.host() < 0
@@ -120,7 +120,7 @@ void Foam::bodyOwnership::migrate(PtrList<bodyGroup>& groups)
         to[g] = shares(SubList<labelVector>(cells, size, first), n[g]);
         first += size;
     }
-    // Of each body that leaves: group, number, size of its state, its state
+    // Message of each body that leaves: group, number, size of its state, state
     List<DynamicList<scalar>> leaving(neighbours_.ranks().size());
     label nLeaving = 0;
     forAll(groups, g)

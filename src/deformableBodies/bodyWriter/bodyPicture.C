@@ -31,7 +31,7 @@ Foam::bodyPicture::bodyPicture(const fileName& file, const scalar time,
     writeTimeValue(time);
 }
 
-// Vectors are drawn in single precision, component by component
+// Scalars and vectors are written in single precision
 template<class Type, class Values>
 void Foam::bodyPicture::array(const word& name, const label n, Values values)
 {

@@ -80,7 +80,7 @@ void Foam::bodyWriter::sample(const scalar now)
         };
         forAll(rows[g], body)
         {
-            if (rows[g][body].empty()) continue; // it has been removed
+            if (rows[g][body].empty()) continue; // removed body
             add("%.10g", double(now));
             add(" %ld", long(body));
             for (const scalar x : rows[g][body])
@@ -94,7 +94,7 @@ void Foam::bodyWriter::sample(const scalar now)
     }
 }
 
-// Their places relative to the capsules, and their deformation
+// Position of a nucleus relative to the centre of its capsule, and its deformation D
 void Foam::bodyWriter::addNuclei(List<std::vector<bodyColumn>>& columns,
                                  List<List<scalarList>>& rows,
                                  const label nuclei) const
@@ -129,7 +129,7 @@ void Foam::bodyWriter::log(const word& name,
     label n = 0;
     for (const scalarList& row : rows)
     {
-        if (row.size()) ++n; // else it has been removed
+        if (row.size()) ++n; // rows of removed bodies are empty
     }
     Info << "Bodies " << name << ": " << n;
     label k = 0;
@@ -155,8 +155,8 @@ void Foam::bodyWriter::log(const word& name,
     Info << nl;
 }
 
-// How all bodies of a group are drawn, known to the first rank, which may have
-// none of them
+// The layout is taken from a body. If the master has none, it receives the layout from the
+// first rank that has one
 static void shareLayout(const Foam::bodyGroup& group, Foam::bodySurface& layout)
 {
     using namespace Foam;
@@ -197,8 +197,8 @@ Foam::bodySurface Foam::bodyWriter::surface(const bodyGroup& group,
     return s;
 }
 
-// The pictures up to now that a series names and that are there. seriesWriter
-// ends the run where it cannot read the file. next: the number after the last
+// Entries of a .vtp.series file before this time whose files exist. next: set to the number
+// after the last file. vtk::seriesWriter::load would end the run if the file is damaged
 static Foam::vtk::seriesWriter seriesBefore(const Foam::fileName& file,
                                             const Foam::scalar now,
                                             Foam::label* next = nullptr)
@@ -236,7 +236,7 @@ static Foam::vtk::seriesWriter seriesBefore(const Foam::fileName& file,
     return series;
 }
 
-// The number of time steps is lost with <time>/uniform/time
+// The time index restarts from 0 if <time>/uniform/time is missing
 Foam::label Foam::bodyWriter::shift(const scalar now,
                                     const label timeIndex) const
 {
@@ -266,12 +266,12 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
         if (mine.size()) layout = group.surface(0);
         const label nPoints =
             returnReduce(layout.points.size(), maxOp<label>());
-        if (nPoints == 0) continue; // all have been removed
+        if (nPoints == 0) continue; // all bodies have been removed
         shareLayout(group, layout);
         List<labelList> ofRanks(Pstream::nProcs());
         ofRanks[Pstream::myProcNo()] = mine;
         Pstream::gatherList(ofRanks);
-        labelList owner(group.nBodies(), -1); // of bodies that are removed
+        labelList owner(group.nBodies(), -1); // -1: removed body
         forAll(ofRanks, proci)
         {
             UIndirectList<label>(owner, ofRanks[proci]) = proci;
@@ -285,8 +285,8 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
             picture.reset(new bodyPicture(stem + ".vtp", now, layout));
         }
 
-        // Some 20,000 points at a time. A send ends when it is received: no rank
-        // runs ahead of the first, which writes
+        // About 20,000 points per piece. Scheduled sends end when they are received, so that
+        // no rank runs ahead of the master, which writes
         const label nTogether = max(label(1), 20000 / nPoints);
         label next = 0;
         for (label first = 0; first < owner.size(); first += nTogether)
@@ -308,7 +308,7 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
                 continue;
             }
 
-            // The first rank's own come first
+            // The master's own bodies first
             DynamicList<label> numbers;
             for (label body = first; body < end; ++body)
             {
@@ -337,7 +337,7 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
         if (!Pstream::master()) continue;
         picture.reset();
 
-        // The series goes on after a restart
+        // Append to the series of earlier times
         const fileName seriesName(dir / group.name() + ".vtp");
         vtk::seriesWriter series(seriesBefore(seriesName + ".series", now));
         series.append(readScalar(Time::timeName(now)), stem + ".vtp");

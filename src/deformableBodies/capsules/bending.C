@@ -14,7 +14,7 @@ struct pointGeometry
 {
     vector x[2], n;
     vector H[2][2];
-    double J, up[2][2]; // area per solid angle, contravariant metric
+    double J, up[2][2]; // area per solid angle; contravariant metric
     double b[2][2];     // covariant curvature
     double mixed[2][2]; // b_a^b
 };
@@ -31,7 +31,7 @@ void Foam::bending::derivatives::fill(const sphericalHarmonics& grid,
     grid.hessian(coeffs, tt.data(), tp.data(), pp.data());
 }
 
-// point(k, geometry) at all points of the grid
+// Call point(k, geometry) for all points of the grid
 template<class Point>
 void Foam::bending::each(const sphericalHarmonics& grid, const derivatives& d,
                          Point point)
@@ -156,7 +156,7 @@ void Foam::bending::addLoad(const double* coeffs, double* q) const
              N[1][1] = full[1][1];
              N[0][1] = N[1][0] = 0.5 * (full[0][1] + full[1][0]);
 
-             // What multiplies dx_a and H_ab(dx)
+             // Factors of dx_a and H_ab(dx) in dW
              const double w = g.J * harmonics_.weight(k);
              vector first[2];
              for (int a = 0; a < 2; ++a)

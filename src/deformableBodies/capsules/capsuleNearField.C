@@ -134,7 +134,7 @@ void Foam::capsuleNearField::add(const double* x, const double* load,
     addTapered(inSlowFlow(x, load, more), velocity);
 }
 
-// Each w_j exactly, for M F that is linear in time within the step
+// The equation of w_j is integrated exactly, with M F linear in time within the step
 void Foam::capsuleNearField::add(const double* x, const double* load,
                                  double* velocity, std::vector<double>& memory,
                                  const scalar dt, const others& more) const

@@ -16,7 +16,7 @@ namespace
 {
 using namespace Foam;
 
-//- Entry file of a shape, which must be there
+//- Entry file of a shape; FatalIOError if the file does not exist
 fileName fileOf(const dictionary& dict)
 {
     const fileName given(dict.get<fileName>("file"));
@@ -31,7 +31,7 @@ fileName fileOf(const dictionary& dict)
     return file;
 }
 
-//- The format of a surface, by the ending of its file in small or capital letters
+//- Format of a surface from the extension of its file, in any letter case
 word formatOf(const dictionary& dict)
 {
     const fileName given(dict.get<fileName>("file"));
@@ -51,7 +51,7 @@ word formatOf(const dictionary& dict)
     return given.ext() == "gz" ? word("gz") : format;
 }
 
-//- A closed triangulated surface, star-shaped about its centre of volume
+//- Closed triangulated surface that is star-shaped about its centre of volume
 class starSurface
 {
     const dictionary& dict_;
@@ -59,7 +59,7 @@ class starSurface
     triSurfaceSearch search_;
     point centre_ = Zero;
 
-    //- Beyond every point of it
+    //- Distance from the centre that is beyond all points of the surface [m]
     scalar reach_;
 
     void refuseFile(const string& why) const
@@ -72,8 +72,8 @@ class starSurface
             << " all of which is seen from its centre" << exit(FatalIOError);
     }
 
-    //- Triangles turn the same way where the two at an edge pass it in opposite
-    //  directions
+    //- FatalIOError unless all triangles have the same orientation: the two triangles at
+    //  an edge must pass it in opposite directions
     void requireOrientation() const
     {
         forAll(surface_.edges(), edgei)
@@ -129,7 +129,7 @@ public:
         reach_ = 2 * size;
     }
 
-    //- The one point of the surface in a direction
+    //- Point of the surface in the direction e from the centre, relative to the centre
     point at(const vector& e) const
     {
         List<List<pointIndexHit>> met;
@@ -141,7 +141,7 @@ public:
         const scalar distance = mag(met[0][0].hitPoint() - centre_);
         for (const pointIndexHit& hit : met[0])
         {
-            // An edge belongs to two triangles
+            // A ray through an edge meets two triangles at the same distance
             if (mag(mag(hit.hitPoint() - centre_) - distance) > 1e-6 * distance)
             {
                 refuseFile(
@@ -154,7 +154,7 @@ public:
     }
 };
 
-//- Coefficients of a body of a state file, about their mean
+//- Coefficients of a body of a restart file, relative to their mean
 void savedShape(const dictionary& dict, const sphericalHarmonics& grid,
                 std::vector<double>& coeffs)
 {

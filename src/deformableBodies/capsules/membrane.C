@@ -90,7 +90,7 @@ Foam::scalar Foam::membrane::load(const double* coeffs, double* q) const
 {
     const scalar total = energy(coeffs);
 
-    // V^t and V^p take the place of x_t and x_p
+    // Replace x_t and x_p by V^t and V^p
     const label n = harmonics_.nPoints();
     double* __restrict__ t = xt_.data();
     double* __restrict__ p = xp_.data();
@@ -117,9 +117,8 @@ Foam::scalar Foam::membrane::load(const double* coeffs, double* q) const
     return total;
 }
 
-// Largest eigenvalue of C^a_b = A^ac a_cb. The discriminant is made of
-// differences that vanish where the stretch is isotropic; I1^2/4 - det would
-// leave the square root of round-off there
+// Largest eigenvalue of C^a_b = A^ac a_cb. The discriminant is computed from differences that
+// vanish for isotropic stretch; I1^2/4 - det would leave the square root of round-off
 Foam::membrane::extremes Foam::membrane::stretches(const double* coeffs) const
 {
     invariants(coeffs);
@@ -160,7 +159,7 @@ void Foam::membrane::tensions(const double* coeffs, double* T1,
 {
     energy(coeffs);
 
-    // Along principal stretches l: T_i = 2/(l_j/l_i) (W1 + l_j^2 W2)
+    // Principal tensions from principal stretches l: T_i = 2/(l_j/l_i) (W1 + l_j^2 W2)
     for (label k = 0; k < harmonics_.nPoints(); ++k)
     {
         const double half = 0.5 * (I1_[k] + 2), det = I2_[k] + 1;

@@ -137,7 +137,7 @@ void Foam::judgeErrors(const List<expectedErrors>& errors, const scalar wanted,
         const bool within = sum <= wanted * (1 + 1e-9);
         if (wanted <= 0 || (known && within)) continue;
 
-        // What can be changed, one at a time
+        // Remedies: changes of one part each that would be sufficient
         string remedies;
         scalar least = 0;
         for (const expectedError& part : group.parts)

@@ -43,7 +43,7 @@ Foam::scalar Foam::filament::bendWeight(const label k) const
     return 1;
 }
 
-// At a clamped end the neighbour beyond it lies along the clamp
+// At a clamped end, the node beyond the end is placed along the clamp
 Foam::vector Foam::filament::bend(const vectorField& X, const label k) const
 {
     if (k == 0) return 2 * (X[1] - X[0] - all_->ds() * clamp_[0]);
@@ -76,7 +76,7 @@ bool Foam::filament::tryStep(const scalar dt, const surroundings& s)
     return filamentNewton<1>::step(dt, &self, &s, 1)[0];
 }
 
-// Two steps of half the size, and so on
+// Each half is halved again if it fails
 bool Foam::filament::halves(const scalar dt, const surroundings& s,
                             const label depth)
 {
@@ -150,7 +150,7 @@ bool Foam::filament::step(const scalar dt, const surroundings& s)
     return true;
 }
 
-// A line of a given length between two ends lies within a spheroid about them
+// A line of given length lies within the spheroid whose foci are its ends
 Foam::boundBox Foam::filament::roughBounds() const
 {
     if (all_->scheme != IMPLICIT) return boundBox(X_, false);

@@ -37,9 +37,9 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
     couple_.resize(around[0].couple.size());
     shear_.resize(couple_.size());
 
-    // Lanes beyond the last filament repeat it. All numbers first: those that were
-    // stored one by one a moment ago are slow to load together. List by list, as one of
-    // all lanes fits into the first cache
+    // Lanes beyond the last filament repeat it. Fill all lanes of a list before reading it:
+    // scalar stores followed at once by vector loads stall. One list at a time fits into the
+    // first-level cache
     const auto take = [&](const auto& values, const auto& of, auto& to)
     {
         for (int l = 0; l < Lanes; ++l)
@@ -69,7 +69,7 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
     take(&filament::surroundings::couple, around, couple_);
     if (couple_.size()) take(&filament::surroundings::shear, around, shear_);
 
-    // BDF2; the first step is of first order
+    // BDF2; the first step is backward Euler
     lanes c1, c2, r;
     for (int l = 0; l < Lanes; ++l)
     {
@@ -94,7 +94,7 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
         }
     }
 
-    // Drag across and along the extrapolated shape
+    // Directions of the segments of the extrapolated shape, for the drag
     lanes meanDrag = lanes::Zero();
     forAll(points_, k)
     {
@@ -225,7 +225,7 @@ void Foam::filamentNewton<Lanes>::addTension()
     }
 }
 
-// Held nodes do not change
+// Rows of held nodes are replaced by: change = 0
 template<int Lanes>
 void Foam::filamentNewton<Lanes>::hold()
 {
@@ -244,8 +244,8 @@ void Foam::filamentNewton<Lanes>::hold()
     }
 }
 
-// Matrix and right-hand side: of fresh lanes where they are now; the others stay
-// where theirs were made, and keep their matrix
+// Fresh lanes are linearised about their present unknowns. Other lanes keep their matrix and
+// the unknowns at which it was computed
 template<int Lanes>
 auto Foam::filamentNewton<Lanes>::linearise(const mask& fresh) -> mask
 {
@@ -276,8 +276,7 @@ auto Foam::filamentNewton<Lanes>::linearise(const mask& fresh) -> mask
     return regular;
 }
 
-// What the change does beyond the linear terms: two products, tension times
-// direction and the square of a segment's length
+// Quadratic terms of the change: tension times direction, and the square of a segment's length
 template<int Lanes>
 void Foam::filamentNewton<Lanes>::addQuadratic()
 {
@@ -299,7 +298,7 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
                                   const filament::surroundings* around,
                                   const int n)
 {
-    // Work space of all filaments
+    // Work space shared by all calls
     static filamentNewton<Lanes> x;
     x.load(dt, lines, around, n);
 
@@ -322,7 +321,7 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
         x.addQuadratic();
         x.A_.solve(x.next_);
 
-        // Square of the largest change of a place
+        // Square of the largest change of a position
         lanes largest = lanes::Zero();
         for (label i = 0; i <= x.N_; ++i)
         {
@@ -335,8 +334,8 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
             x.change_[j] = going.select(x.next_[j], x.change_[j]);
         }
 
-        // The lengths' error left is the square of the last change with a matrix
-        // of its own, else that change times the rate of convergence
+        // Remaining relative error of the lengths: square of the last change if the matrix is
+        // new (Newton), otherwise that change times the rate of convergence
         const lanes change = largest / sqr(ds);
         const mask converged =
             (fresh && change < 1e-16) ||

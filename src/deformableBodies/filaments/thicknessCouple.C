@@ -53,8 +53,8 @@ Foam::thicknessCouple::at(const vectorField& X, const label station) const
     f.t = X[first(station + 1)] - X[first(station)];
     f.t /= mag(f.t);
 
-    // Any direction across does, as three points measure a linear field exactly; where
-    // another one is taken, the forces of the last step point elsewhere for one step
+    // Any direction across t is possible, as three points measure a linear field exactly.
+    // When the choice changes, the forces of the last step have other directions for one step
     vector a(mag(f.t.x()) < 0.7 ? vector(1, 0, 0) : vector(0, 1, 0));
     a -= (a & f.t) * f.t;
     a /= mag(a);
@@ -88,8 +88,7 @@ void Foam::thicknessCouple::shear(const List<frame>& frames,
     forAll(frames, j)
     {
         const frame& f = frames[j];
-        // n lines in one place, each with an n-th of the couple, make n times the
-        // shear of one
+        // n coinciding lines, each with K/n, cause the shear of one line with K
         const auto sum = [&](const scalarField& couples)
         {
             return std::accumulate(&couples[first(j)],
@@ -122,7 +121,7 @@ void Foam::thicknessCouple::forces(const List<frame>& frames,
         }
         for (const vector& e : f.e)
         {
-            // The mean of this and the last step: see the header
+            // Mean of the force of this and the last step: see the header
             const scalar now = 2.0 / 3 / radius_ * (dipole & e);
             *F = 0.5 * (now + (*F & f.t)) * f.t;
             ++F;

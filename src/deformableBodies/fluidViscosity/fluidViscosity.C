@@ -9,7 +9,7 @@ namespace
 {
 using namespace Foam;
 
-//- Effective kinematic viscosity of the model; not valid where no flow is solved
+//- Effective kinematic viscosity of the turbulence model; not valid if there is none
 tmp<volScalarField> effective(const fvMesh& mesh)
 {
     const auto* model =
@@ -101,7 +101,7 @@ void Foam::fluidViscosity::compare(const PtrList<bodyGroup>& groups)
         nu[grid.index()[celli]] = nuEff()[celli];
     }
 
-    // The body for which the ratio is furthest from 1
+    // Find the body whose ratio is furthest from 1
     scalar furthest = 1;
     string body;
     for (const bodyGroup& group : groups)

@@ -35,7 +35,7 @@ void Foam::viscosityContrast::update(const markerSet& markers,
     }
     poisson_.solve(I.data(), I.cdata(), 0, inverseSqr);
 
-    // Without walls the mean of the solution is zero
+    // Without walls the solution has zero mean; the enclosed volume gives its level
     const vector L(grid_.length());
     const scalar mean =
         poisson_.singular(0)

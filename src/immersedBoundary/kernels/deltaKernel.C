@@ -18,7 +18,8 @@ Foam::deltaKernel::deltaKernel(const dictionary& dict)
 {
 }
 
-// The other weights follow from one root, the unit sum and the zero first moment
+// One square root per marker: the other weights follow from it, the unit sum and the zero
+// first moment
 void Foam::deltaKernel::weights(const label n, const scalar* position,
                                 scalar* lowest, scalar* const weight[4]) const
 {
@@ -29,7 +30,7 @@ void Foam::deltaKernel::weights(const label n, const scalar* position,
     if (type_ == Roma3)
     {
         first = (x + 0.5).floor() - 1;
-        w3 = x - first - 1; // from the middle point
+        w3 = x - first - 1; // distance from the middle point
         w1 = (1 + (1 - 3 * w3.square()).sqrt()) * (1.0 / 3);
         w0 = 0.5 * (1 - w1 - w3);
         w2 = 0.5 * (1 - w1 + w3);
@@ -37,7 +38,7 @@ void Foam::deltaKernel::weights(const label n, const scalar* position,
         return;
     }
     first = x.floor() - 1;
-    w3 = x - first - 1; // from the second point
+    w3 = x - first - 1; // distance from the second point
     w2 = 0.125 * (1 + 4 * w3 * (1 - w3)).sqrt();
     w1 = 0.125 * (3 - 2 * w3) + w2;
     w0 = 0.125 * (3 - 2 * w3) - w2;
@@ -50,7 +51,7 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
                                 const label n, const bool periodic,
                                 kernelStencil& s) const
 {
-    // A marker that has crept up to a wall, or past it, acts on the cell there
+    // A marker at or beyond a wall acts on the cell at the wall
     const scalar position = periodic ? x - offset
                                      : min(max(x - offset, first - scalar(0.5)),
                                            last + scalar(0.5));
@@ -93,7 +94,7 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
     }
     if (!cut) return;
 
-    // weight (a + b r) with unit sum and zero first moment
+    // Multiply the weights by a + b r, so that the sum is 1 and the first moment 0
     scalar s0 = 0, s1 = 0, s2 = 0;
     for (label k = 0; k < s.size; ++k)
     {
@@ -102,7 +103,7 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
         s1 += w * r;
         s2 += w * r * r;
     }
-    // Where one point has all the weight the line through it is left out
+    // If one point has all the weight, b is not defined and is set to 0
     const scalar det = s0 * s2 - s1 * s1;
     const bool line = det > 1e-9 * s0 * s2;
     const scalar a = line ? s2 / det : 1;
@@ -113,7 +114,7 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
         s.weight[k] *= a + b * (s.at[k] - position);
         sum += s.weight[k];
     }
-    // The force to round-off, however ill-conditioned the line
+    // Normalise: the sum, and so the force, is exact to round-off even if det is small
     for (label k = 0; k < s.size; ++k)
     {
         s.weight[k] /= sum;

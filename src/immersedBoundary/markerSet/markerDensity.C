@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// How many lines of markers lie in one place
+// Line density, and pairs of markers of different lines that are close
 
 #include "markerSet.H"
 #include "alignedVector.H"
@@ -12,15 +12,16 @@ namespace
 {
 using namespace Foam;
 
-//- The layers of cells of one direction that this rank's markers lie in, cut
-//  into bins of three cells and more: whatever is within 1.5 cells of a place
-//  lies in the bins of the places 1.5 cells below and above
+//- Bins along one direction for the markers of this rank, at least three cells wide. All
+//  markers within 1.5 cells of a position lie in the two bins that contain the positions
+//  1.5 cells below and above it
 struct binsOfDirection
 {
     scalar origin, perCell, n, lo;
     bool periodic, whole;
 
-    //- Coordinates of this rank's cells begin after below; bins per cell
+    //- Positions of a periodic direction are wrapped to [-below, n - below) relative to
+    //  the block; scale: bins per cell
     scalar below, scale;
     label nBins;
 
@@ -39,7 +40,7 @@ struct binsOfDirection
         scale = whole ? nBins / n : 1.0 / 3;
     }
 
-    //- Cells above the first layer of this rank
+    //- Position of a coordinate [m] in cells from the first layer of this rank
     scalar place(const scalar coordinate) const
     {
         const scalar x = (coordinate - origin) * perCell - lo;
@@ -55,7 +56,8 @@ struct binsOfDirection
         return b < 0 ? nBins - 1 : b % nBins;
     }
 
-    //- Between two places, to the nearest image. No branch: loops over it become vectors
+    //- Distance of two positions to the nearest image [cells]; without branches, so that
+    //  loops over it vectorise
     scalar distance(const scalar a, const scalar b) const
     {
         const scalar x = std::abs(a - b);
@@ -69,9 +71,8 @@ private:
     }
 };
 
-//- What is looked at of a marker: its place in cells (binsOfDirection::place), its line
-//  (negative: in no bin, counts for nobody), its number along it if distant parts of the
-//  line may meet (else negative), and the next marker in its bin (negative: none)
+//- Marker in a bin: position [cells], line (negative: in no bin, not counted), number along
+//  the line if that is folded (negative otherwise), next marker in the bin (negative: none)
 struct markerOfLine
 {
     scalar at[3];
@@ -79,8 +80,8 @@ struct markerOfLine
 
     bool folded() const { return number >= 0; }
 
-    //- Neighbours within one line: in one that is folded those further apart
-    //  meet by chance
+    //- True for markers of one line that do not count for each other. In a folded line
+    //  these are close neighbours only
     bool isBeside(const markerOfLine& other) const
     {
         const label apart = 4;
@@ -89,29 +90,28 @@ struct markerOfLine
     }
 };
 
-//- The markers of lines in bins
+//- Search of markers near a marker, by bins
 class markerBins
 {
     const binsOfDirection bins_[3];
     std::vector<markerOfLine> all_;
 
-    //- Of each bin the first marker, and the line that its markers have in common, else -1
+    //- Bin: its first marker, and the line of its markers, -1 if there are several lines
     struct binContent
     {
         label first = -1, line = -1;
     };
     std::vector<binContent> contents_;
 
-    //- The markers around the one last asked about. They are the same for the next of its
-    //  line that reaches into the same bins, as all markers of a line are folded or none.
-    //  First what they belong to: the line, and the bins below and above in each
-    //  direction; then their numbers and places. Bins that hold nothing but this line are
-    //  left out unless it is folded
+    //- Candidates around the marker of the last search, kept for the next marker of the
+    //  same line that reaches into the same bins: line, bins below and above in each
+    //  direction, indices and positions of the candidates. Bins with no other line are
+    //  skipped unless the line is folded
     label line_ = -1, near_[3][2] = {};
     std::vector<label> around_;
     alignedVector<scalar> at_[3];
 
-    //- Of each of them its share, in whole vectors; which have one
+    //- Share of each candidate, padded to whole vectors; candidates whose share is not zero
     alignedVector<scalar> share_;
     std::vector<label> seen_;
 
@@ -136,7 +136,7 @@ class markerBins
         }
         if (same) return;
 
-        // Which bins matter is hard to foresee: no branches
+        // No branches, as the processor cannot predict which bins are needed
         label chosen[8], nChosen = 0;
         const auto nAlong = [&](const direction d)
         { return near_[d][0] == near_[d][1] ? 1 : 2; };
@@ -177,7 +177,7 @@ class markerBins
     }
 
 public:
-    //- ids of each marker: its line, its number if the line is folded, else -1
+    //- ids: two numbers per marker, its line and its number along a folded line or -1
     markerBins(const uniformGrid& grid, const UList<vector>& X,
                const scalarField& ids)
         : bins_{{grid, 0}, {grid, 1}, {grid, 2}},
@@ -205,7 +205,7 @@ public:
 
     const markerOfLine& operator[](const label k) const { return all_[k]; }
 
-    //- Cells between two markers, to the nearest image
+    //- Distance of two markers to the nearest image [cells]
     scalar distance(const markerOfLine& a, const markerOfLine& b) const
     {
         scalar squares = 0;
@@ -216,11 +216,10 @@ public:
         return std::sqrt(squares);
     }
 
-    //- visit(other, share) of the markers less than lineReach away along each direction
-    //  from m, a marker of a line. Those of its own line, m itself among them, may be left
-    //  out unless it is folded. share: what the kernel sees of the other, for which the
-    //  product of straight lines down to zero stands. Quick where the last m was near this
-    //  one on the same line
+    //- Call visit(other, share) for the markers less than lineReach away from m along each
+    //  direction. share: product over the directions of 1 - distance/lineReach, in place
+    //  of the kernel. Markers of m's own line may be skipped unless it is folded. Fast if
+    //  successive m are neighbours on one line
     template<class Visit>
     void eachNear(const markerOfLine& m, Visit visit)
     {
@@ -239,7 +238,7 @@ public:
         label nSeen = 0;
         for (size_t i = 0; i < around_.size(); ++i)
         {
-            seen_[nSeen] = i; // no branch, see lookAround()
+            seen_[nSeen] = i; // no branch, as in lookAround()
             nSeen += share[i] > 0;
         }
         for (label k = 0; k < nSeen; ++k)
@@ -252,7 +251,7 @@ public:
 
 constexpr Foam::scalar Foam::markerSet::lineReach;
 
-// A line also counts as folded where its periodic images are within reach
+// A line also counts as folded if its periodic images are within reach
 Foam::scalarField Foam::markerSet::linesHere(const UList<vector>& X,
                                              const labelUList& line,
                                              const bool mayFold) const
@@ -318,7 +317,7 @@ void Foam::markerSet::lineDensity(const UList<vector>& X,
     std::vector<std::pair<label, scalar>> touched; // line, largest share
     forAll(here, k)
     {
-        // A marker's surroundings are known to the rank that holds its cell
+        // The rank that holds the cell knows all markers around it
         const markerOfLine& m = bins[k];
         if (m.line < 0 || !copies_.holds(k)) continue;
         touched.clear();

@@ -16,20 +16,20 @@ void Foam::markerSet::place(const vectorField& X)
     sort();
 }
 
-// Along memory, in bunches of some layers and rows, from low to high z, then y; within
-// a bunch as in the list, where neighbours are neighbours in space: what one marker has
-// fetched others find in the cache
+// Bunches of layers and rows are sorted by z, then y. Within a bunch markers keep the order
+// of the list, in which neighbours are close in space: rows that one marker has fetched
+// are in the cache for the next
 void Foam::markerSet::sort()
 {
     const cellBox& box = grid_.box();
     const label n = X().size(), perLayer = box.size.y() / bunch_ + 1,
                 nBunches = perLayer * (box.size.z() / bunch_ + 1);
 
-    // In cells of the box: between from and to all points of a marker lie in the block,
-    // as they stand in memory; between wallFree[0] and wallFree[1] no wall changes its
-    // weights. The faces of walls have their velocity from a boundary condition
+    // Limits of positions in cells of the box. Between from and to all grid points of a
+    // marker lie in the block; between wallFree[0] and wallFree[1] no wall changes its
+    // weights. Faces on walls are excluded, as a boundary condition sets their velocity
     scalar from[3], to[3], wallFree[2][3];
-    bool wide = true; // enough for the points of a row
+    bool wide = true; // the block has as many cells as a kernel has points
     for (direction d = 0; d < 3; ++d)
     {
         const label lo = box.lo[d], last = lo + box.size[d] - rowSize(d);
@@ -39,7 +39,7 @@ void Foam::markerSet::sort()
         };
         const bool periodic = grid_.periodic(d);
         from[d] = after(lo == 0 && !periodic ? 1 : lo, lo);
-        to[d] = kernel_.reach() + last - 1e-9; // whatever the rounding
+        to[d] = kernel_.reach() + last - 1e-9; // margin for rounding
         wallFree[0][d] = periodic ? -GREAT : after(1, 0);
         wallFree[1][d] = periodic ? GREAT
                                   : kernel_.reach() + grid_.n()[d] -
@@ -57,7 +57,7 @@ void Foam::markerSet::sort()
         return within;
     };
 
-    // In cells of the box
+    // Position of marker k in cells of the box, wrapped in periodic directions
     const vector perH(cmptDivide(vector::one, grid_.h()));
     const auto placeOf = [&](const label k)
     {
@@ -73,7 +73,7 @@ void Foam::markerSet::sort()
         return x;
     };
 
-    // visit(place) of each periodic image of a place that reaches the block
+    // Call visit(position) for each periodic image that reaches the block
     const auto eachImage = [&](const vector& x, auto visit)
     {
         scalar at[3][3];
@@ -164,7 +164,7 @@ void Foam::markerSet::spreadAndInterpolate(const vectorField& F,
     scatterThenGather(F, {f}, u, U);
 }
 
-// From and to the ranks that own the markers
+// Forces go from the owners of the markers to the copies, velocities back to the owners
 void Foam::markerSet::scatterThenGather(const vectorField& F,
                                         const List<staggeredTarget>& f,
                                         const List<staggeredView>& u,

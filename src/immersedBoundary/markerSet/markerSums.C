@@ -1,13 +1,12 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// The points that markers reach in the block of this rank, and sums over them
+// Grid points of markers in the block of this rank, and sums over them
 
 #include "markerSet.H"
 
 namespace
 {
-//- Four values that lie next to each other anywhere in memory: one vector for the
-//  compiler (GCC and Clang), of AVX or of two halves
+//- Four consecutive values at any address, as one vector of the compiler (GCC and Clang)
 typedef double fourValues
     __attribute__((vector_size(32), aligned(8), may_alias));
 
@@ -21,17 +20,16 @@ inline fourValues& fourAt(double* p)
 }
 } // namespace
 
-//- Some markers that follow each other in sorted_: of each its position, counted in
-//  points, the first of four points in a row, counted through the box, and their
-//  weights, in six sets of points: faces in the three directions, then
-//  centres in them. Made where they are used, in the processor's cache: to fetch them
-//  from memory takes longer
+//- Weights of up to n consecutive markers of sorted_, for six sets of grid points: faces in
+//  the three directions, then cell centres in the three directions. For each marker its
+//  position [cells], the index of the first of four points in the box, and four weights.
+//  Computed where they are used, as loading them from memory takes longer
 struct Foam::markerSet::weightBatch
 {
     static constexpr label n = 128;
 
-    // Where in memory vectors begin decides over the last bit of their values: always at
-    // the same place
+    // Alignment decides where the compiler's vector loops begin, and so the last bit of the
+    // weights: fixed, so that results can be repeated
     alignas(64) scalar position[6][n];
     alignas(64) scalar lowest[6][n];
     alignas(64) scalar weight[4][6][n];
@@ -39,7 +37,7 @@ struct Foam::markerSet::weightBatch
     weightBatch(const markerSet& markers, const label begin, const label size)
     {
         const label all =
-            (size + 7) / 8 * 8; // what the vectors of any machine hold
+            (size + 7) / 8 * 8; // whole vectors on any machine
         for (direction d = 0; d < 3; ++d)
         {
             for (label k = 0; k < all; ++k)
@@ -57,8 +55,8 @@ struct Foam::markerSet::weightBatch
         }
     }
 
-    //- Of clipped markers: four points that all lie in the block instead, as they stand
-    //  in memory. Weights stay with their points; points outside lose theirs
+    //- Shift the four points of clipped markers into the block. Weights stay with their
+    //  points; the weights of points outside are dropped
     void clip(const markerSet& markers, const label size)
     {
         for (int i = 0; i < 6; ++i)
@@ -85,16 +83,16 @@ struct Foam::markerSet::weightBatch
     }
 };
 
-//- A marker that is cut: four points within the block and their weights in each of the
-//  six, weight 0 where there is none
+//- Grid points of a cut marker: four indices within the block and their weights for each of
+//  the six sets; weight 0 for a point that is not in the block
 struct Foam::markerSet::cutMarker
 {
     label at[6][4];
     scalar weight[6][4];
 };
 
-//- What it reaches of one component: four points in each row, their weights, and
-//  whether the points follow each other; where the rows begin, and their weights
+//- Rows of a cut marker for one component: four points along x, their weights, true if the
+//  points are consecutive; offsets and weights of the rows
 struct Foam::markerSet::cutRows
 {
     const label* x;
@@ -132,8 +130,8 @@ void Foam::markerSet::cut(const weightBatch& w, const label marker,
         }
         for (label k = 0; k < 4; ++k)
         {
-            // Points of this rank only, counted within its block. What has no weight
-            // stands beside the one before if it can
+            // Indices relative to the block of this rank. A point without weight is put
+            // after the one before, so that the row can be loaded as one vector
             const bool exists = k < s.size;
             const label at = exists   ? s.at[k] - grid_.box().lo[d]
                              : k == 0 ? 0
@@ -145,11 +143,11 @@ void Foam::markerSet::cut(const weightBatch& w, const label marker,
     }
 }
 
-// ---- sums over the points of this rank
+// ---- sums over the grid points of this rank
 
-// visit(marker, component, first point, steps to the next row and layer, factor of the
-// field, weights along x, y and z) for some markers that are whole, or clipped. Rows are
-// fetched eight markers ahead, as they lie all over memory, both ends of each
+// Call visit(marker, component, first point, strides to the next row and layer, factor of
+// the field, weights along x, y and z) for whole or clipped markers. Both ends of each row
+// are prefetched eight markers ahead, as the rows are scattered in memory
 template<int n, class Places, class Visit>
 void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
                                 const label end, Visit visit) const
@@ -179,7 +177,7 @@ void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
                 }
             }
 
-            // Inlined, as the compiler drops calls that do no more than this
+            // Inlined by force: the compiler removes calls that only prefetch
             const auto fetch = [&](const label m) __attribute__((always_inline))
             {
                 if (m >= 3 * size) return;
@@ -223,7 +221,7 @@ void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
     }
 }
 
-// visit(marker, component, field's first point, its rows, factor of the field) for all
+// Call visit(marker, component, first point of the field, rows, factor of the field) for all
 // cut markers
 template<int n, class Places, class Visit>
 void Foam::markerSet::eachCut(const List<Places>& fields, Visit visit) const
@@ -366,14 +364,13 @@ void Foam::markerSet::scatterCut(const UList<vector>& F,
                });
 }
 
-// A sweep begins where the pass before it ended, as what that touched may still be in the
-// cache. The explicit terms of the flow go from low to high layers of cells; so a sweep
-// that takes values goes from high to low, and one for forces alone, which comes after
-// it, from low to high.
+// A sweep begins where the pass before it ended, as these cells may still be cached. The
+// explicit terms of the flow go from low to high layers; so interpolation goes from high to
+// low, and spreading alone, which follows it, from low to high.
 //
-// Markers reach two layers of cells down and up: those of every other layer of bunches
-// have no point in common, so values are taken a layer of bunches behind the forces.
-// Those that are clipped or cut are in no order: first their forces, last their values
+// Markers reach two layers of cells down and up. Markers of every other layer of bunches
+// share no point, so values are taken one layer of bunches behind the forces. Clipped and
+// cut markers are not sorted: their forces come first, their values last
 template<int n>
 void Foam::markerSet::sweepAll(const UList<vector>& F,
                                const List<staggeredTarget>& f,

@@ -12,13 +12,13 @@ namespace
 {
 const double pi = Foam::constant::mathematical::pi;
 
-//- Points that the sum handles side by side
+//- Number of points that the sum handles as one vector
 constexpr int nLanes = 16;
 using lanes = Eigen::Array<float, nLanes, 1>;
 using lanesAt = Eigen::Map<lanes>;
 using oneLane = Eigen::Array<float, 1, 1>;
 
-//- Integral of f from a to b: Gauss' three points in n intervals
+//- Integral of f from a to b, by three Gauss points in each of n intervals
 template<class Function>
 auto integral(const double a, const double b, const int n, Function f)
 {
@@ -45,7 +45,7 @@ public:
     {
         for (int i = 0; i < largest / step + 2; ++i)
         {
-            // Pieces in which the kernels are smooth end at multiples of 1/2
+            // Kernels are smooth between multiples of 1/2, the ends of intervals
             values_.push_back(
                 2 * integral(0, kernel.reach(), int(8 * kernel.reach()),
                              [&](const double r) {
@@ -89,13 +89,13 @@ Foam::nearField::nearField(const deltaKernel::kernelType kernel, const scalar h,
 
 void Foam::nearField::transform(const deltaKernel& kernel)
 {
-    // Kernels have decayed there: what is left out is 1e-6 of A
+    // Cut-off of K [1/h]: the rest of the integral is 1e-6 of A
     const double largest = 25;
     const int nK = 250, nAzimuth = 16;
     const transformOf phi(kernel, largest);
     for (int i = 0; i < nK; ++i)
     {
-        // Of G_h, averaged over an octant of directions: trace, part along K
+        // Transform of G_h averaged over an octant of directions: trace, part along K
         const double K = (i + 0.5) * largest / nK;
         const auto ring = [&](const double z)
         {
@@ -120,7 +120,7 @@ void Foam::nearField::transform(const deltaKernel& kernel)
         };
         const Eigen::Vector2d smoothed(integral(0, 1, 8, ring));
 
-        // Of G_d; with the weight of the integral over K
+        // Transform of G_d; weight of the quadrature over K
         const double x = 0.25 * sqr(K * d_ / h_);
         const double filter =
             (1 + x + x * x * (6 - 4 * x + 8 * x * x) / 15) * std::exp(-x);
@@ -137,7 +137,7 @@ Foam::nearField::mobility Foam::nearField::exact(const scalar q) const
     mobility m{0, 0};
     for (size_t i = 0; i < K_.size(); ++i)
     {
-        double j0, j2; // j2 over (K q)^2
+        double j0, j2; // bessel() returns j2/(K q)^2
         bessel(K_[i] * q, j0, j2);
         j2 *= sqr(K_[i]);
         const double C = 0.5 * j2 * (trace_[i] - 3 * along_[i]);
@@ -148,9 +148,9 @@ Foam::nearField::mobility Foam::nearField::exact(const scalar q) const
     return m;
 }
 
-// Least squares over distances up to where the difference is of q^-3, and from
-// there to 20 times as far. Errors count more at a distance, where they act on
-// more points
+// Least squares over distances up to last, beyond which the difference decays as q^-3, and
+// from there to 20 times as far. Weights grow with the distance, as errors there act on more
+// points
 void Foam::nearField::fit()
 {
     const double last = max(8.0, 6 * d_ / h_);
@@ -224,9 +224,9 @@ Foam::nearField::mobility Foam::nearField::fitted(const scalar q) const
     return {A[0], C[0]};
 }
 
-// Along the normal the added velocity is an integral over wave numbers z, each of
-// which follows the forces at the rate nu (k^2 + z^2). Equal shares of it, from the
-// lowest wave number on, are given the mean of their times
+// The correction is an integral over wave numbers z along the normal, each of which follows
+// the forces at the rate nu (k^2 + z^2). The integral is divided into n equal shares, from
+// the lowest z on; the rate of a share is the inverse of its mean time
 std::vector<double> Foam::nearField::rates(const scalar k, const scalar nu,
                                            const int n) const
 {
@@ -299,7 +299,7 @@ void Foam::nearField::add(const vector* Y, const vector* G, const label m,
 void Foam::nearField::velocity(const vector* X, const vector* F, const label n,
                                vector* u) const
 {
-    // Components side by side, filled up with points without force
+    // Arrays of components, padded with points without force to whole vectors
     const int m = (n + nLanes - 1) / nLanes * nLanes;
     std::vector<float> numbers(9 * m, 0);
     float* const x = numbers.data();

@@ -12,7 +12,7 @@ const scalar* numbers(const UList<vector>& v)
     return reinterpret_cast<const scalar*>(v.cdata());
 }
 
-//- act(n), where the compiler knows that vectors have three numbers
+//- Call act(n), with n as a compile-time constant if it is 3
 template<class Act>
 void ofNumbers(const label n, Act act)
 {
@@ -32,7 +32,7 @@ void Foam::pointCopies::place(const UList<vector>& X, const label margin)
         return;
     }
 
-    // Most points are far from other ranks
+    // Most points are far from other ranks and need no search
     const boundBox alone(neighbours_.near(margin).alone);
     DynamicList<label> others;
     DynamicList<vector> there;

@@ -8,7 +8,8 @@ namespace
 {
 using namespace Foam;
 
-//- Order points so that their halves, of whole regions and patches, lie apart
+//- Split the points at the median of their longest direction, at a whole number of regions
+//  or patches, and order both halves likewise
 void halve(const UList<vector>& X, label* begin, label* end)
 {
     const label n = end - begin, patch = pointsOfPatch;

@@ -15,7 +15,7 @@ namespace
 {
 using namespace Foam;
 
-//- Empty if it cannot be opened
+//- Text of a file; empty if the file cannot be opened
 std::string textOf(const fileName& file)
 {
     IFstream is(file);
@@ -23,7 +23,7 @@ std::string textOf(const fileName& file)
     return std::string(std::istreambuf_iterator<char>(is.stdStream()), {});
 }
 
-//- What is wrong with a file that cannot be read; empty if nothing is there
+//- Reason why a file cannot be read as className; empty if there is no file
 string whatIsWrong(const fileName& file, const word& className)
 {
     switch (Foam::type(file, false))
@@ -41,7 +41,7 @@ string whatIsWrong(const fileName& file, const word& className)
         }
         break;
     case fileName::UNDEFINED:
-        if (!isFile(file)) return ""; // neither compressed
+        if (!isFile(file)) return ""; // isFile() also finds file.gz
         break;
     default:
         break;
@@ -200,7 +200,7 @@ void Foam::requireBrackets(const IOobject& io, const word& className)
     string wrong;
     if (Pstream::master())
     {
-        // Numbers in binary may look like brackets
+        // Binary numbers may contain the characters of brackets
         const std::string text(textOf(file));
         const std::string header(text.substr(0, text.find('}')));
         if (header.find("binary;") == string::npos)

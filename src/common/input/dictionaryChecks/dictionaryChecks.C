@@ -103,7 +103,7 @@ Foam::string Foam::valueOf(const entry& e)
         }
     }
 
-    // On one line, without blanks in brackets
+    // Join the lines; drop blanks inside brackets
     std::string line;
     for (const char c : std::string(os.str()))
     {

@@ -6,7 +6,7 @@
 
 namespace
 {
-// Four digits tell
+//- Number with four digits, for messages
 Foam::string digits(const Foam::scalar x)
 {
     Foam::OStringStream os;
@@ -15,8 +15,8 @@ Foam::string digits(const Foam::scalar x)
     return os.str();
 }
 
-// Ranges are round numbers: what was meant to be at their ends may be beside them
-// by round-off
+//- True if x is in the range. A relative 1e-9 is allowed at its ends, as round-off
+//  moves ratios that were meant to be there
 bool within(const Foam::scalar x, const Foam::scalar least,
             const Foam::scalar most)
 {

@@ -12,7 +12,8 @@ namespace
 {
 using namespace Foam;
 
-//- A block of the text: its name where it is a dictionary, and the names in it
+//- Open bracket of the text: the name of a dictionary and the names of its entries so
+//  far, or a list
 struct textBlock
 {
     std::string name;
@@ -20,17 +21,18 @@ struct textBlock
     std::set<std::string> names;
 };
 
-//- Path of the first name that comes twice; what: two dictionaries, or values
+//- Path of the first name that comes twice in a dictionary. what: set to "two
+//  dictionaries" or "two values"
 string firstRepeated(const fileName& file, string& what)
 {
     IFstream is(file);
     std::vector<textBlock> open{{"", true, {}}};
-    std::string first; // word of an entry
-    label nTokens = 0; // of that entry
+    std::string first; // first word of the present entry
+    label nTokens = 0; // tokens of the present entry so far
     bool directive = false;
     const auto comesTwice = [&]()
     {
-        // Text that stands for others, $group or #calc, may come often
+        // $group and #calc are replaced by other text and may come often
         return first[0] != '$' && first[0] != '#' &&
                !open.back().names.insert(first).second;
     };
@@ -92,7 +94,7 @@ string firstRepeated(const fileName& file, string& what)
         }
         else if (nTokens == 0 && text[0] == '#')
         {
-            // #include "file" has no end of its own
+            // #include "file" has no semicolon
             directive = true;
         }
         else if (nTokens++ == 0)

@@ -4,7 +4,8 @@
 #include "fileOperation.H"
 #include "Time.H"
 
-// Beside those that are read again, which are registered with the mesh
+// Registered with Time, so that it does not clash with a dictionary of the same name that
+// is registered with the mesh and is read again
 Foam::startDictionary::startDictionary(const objectRegistry& mesh,
                                        const word& name, const string& who)
     : IOdictionary(IOobject(name, mesh.time().constant(), mesh.dbDir(),
@@ -12,7 +13,7 @@ Foam::startDictionary::startDictionary(const objectRegistry& mesh,
                             IOobject::NO_WRITE)),
       who_(who)
 {
-    // Lists of many bodies need not be kept
+    // Only the watch on the file is needed; the entries may be long lists
     clear();
 }
 

@@ -46,7 +46,8 @@ void Foam::effectLedger::declare(const word& name, const bool active,
     {
         if (e.name == name)
         {
-            // One group that needs it is enough; what others say of it follows
+            // An effect is active if one group needs it; the notes of all such groups
+            // are joined
             if (active && !e.active) e = effect{name, true, note, 0, 0};
             if (active && e.note.find(note) == string::npos)
             {

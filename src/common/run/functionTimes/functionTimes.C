@@ -7,7 +7,8 @@ namespace
 {
 using namespace Foam;
 
-//- Is that so of any enabled function of controlDict that names the field?
+//- True if the condition holds for an enabled functionObject of controlDict that names
+//  the field
 template<class Condition>
 bool any(const word& field, const Time& time, const Condition& holds)
 {
@@ -27,7 +28,7 @@ bool any(const word& field, const Time& time, const Condition& holds)
 
 bool Foam::isDue(const dictionary& function, const Time& time)
 {
-    // The defaults are those of timeControl
+    // Defaults as in timeControl
     const auto due = [&](const word& what)
     {
         const word control(

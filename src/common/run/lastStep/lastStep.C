@@ -7,7 +7,7 @@ namespace
 {
 using namespace Foam;
 
-//- A file of uniform/, or nothing
+//- Dictionary <time>/uniform/<name>, empty if there is none
 dictionary dictionaryOf(const Time& time, const word& name)
 {
     const auto dict = stateOfTime(time, name);
@@ -34,7 +34,8 @@ Foam::scalar Foam::lastStep::read(const Time& time)
     { return dictionaryOf(time, name).getOrDefault<scalar>("deltaT", 0); };
     const scalar rounded = deltaT("time"), exact = deltaT("lastStep");
 
-    // Another solver may have gone on from there and left the one behind
+    // lastStep is out of date if another solver has written this time since: then the two
+    // steps differ by more than the rounding of uniform/time
     return mag(exact - rounded) < 1e-3 * rounded ? exact : rounded;
 }
 
@@ -61,7 +62,7 @@ void Foam::lastStep::writeBeforeStop(const Time& time, const string& diverged)
     lastStep* step = time.getObjectPtr<lastStep>("lastStep");
     if (step) step->diverged_ = diverged;
 
-    // Time::writeNow() would purge earlier times
+    // Time::writeNow() would delete earlier times if purgeWrite is set
     time.writeTimeDict();
     for (const word& name : time.sortedToc())
     {

@@ -32,7 +32,7 @@ Foam::pointPair::pointPair(const dictionary& dict, const bodyPoints& body)
         refuse(dict, "patch", Foam::name(patch), "above 0, up to 0.5");
     }
 
-    // Inwards from either end until the patch is full
+    // Points are taken from either end inwards until the patch has its area
     const scalarField along(body.places & direction_);
     const scalarField area(mag(body.areas));
     const labelList order(sortedOrder(along));
