@@ -16,8 +16,8 @@ def read(file):
     total, functions, allocations, called = 0, set(), 0, None
     for line in open(file):
         if line.startswith("fn="):
-            # Those of the C library come and go with the state of its heap; a source that
-            # is not active is asked that
+            # Functions of the C library depend on the state of its heap; isActive() is also
+            # called for sources that are not active
             if "Foam::" in line and "isActive" not in line:
                 functions.add(line[3:].strip())
         elif line.startswith("cfn="):

@@ -1,7 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// Unit tests; they run in a case that holds a mesh (see ./run), on any number
-// of ranks:  deformableBodiesUnitTests -case <case> [--gtest_filter=...]
+// Main program of the unit tests. The tests run in a case with a mesh (./run), on any number
+// of ranks: deformableBodiesUnitTests -case <case> [--gtest_filter=...]
 
 #include "argList.H"
 #include "Time.H"
@@ -16,14 +16,14 @@ const Foam::fvMesh& test::mesh()
     return *theMesh;
 }
 
-// Run by tests/verification/red alone: the tests can fail
+// Run by tests/verification/red only: proof that tests can fail
 TEST(Main, DISABLED_redIsPossible)
 {
     EXPECT_LT(2, 1);
 }
 
-// Run by tests/bench/flow: the memory of a mesh with its geometry, and with the
-// fields that every solver of OpenFOAM has
+// Run by tests/bench/flow: memory of a mesh with its geometry and the fields that every
+// OpenFOAM solver has
 static void touchGeometry(const Foam::fvMesh& mesh)
 {
     EXPECT_EQ(mesh.C().size(), mesh.V().size());
@@ -62,7 +62,7 @@ int main(int argc, char* argv[])
                          IOobject::MUST_READ));
     theMesh = &mesh;
 
-    // Errors that tests provoke are caught
+    // Errors that tests provoke are thrown as exceptions
     FatalError.throwExceptions();
     FatalIOError.throwExceptions();
 
@@ -75,7 +75,7 @@ int main(int argc, char* argv[])
     int failed = RUN_ALL_TESTS();
     reduce(failed, maxOp<int>());
 
-    // "return 1" would end in exit status 0 on v1912
+    // "return 1" ends with exit status 0 on v1912
     if (failed) Pstream::exit(1);
     return 0;
 }

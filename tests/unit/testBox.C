@@ -28,7 +28,7 @@ test::box::box(const labelVector& n, const vector& length,
         }
     }
 
-    // The lower face of a cell, its normal along direction d
+    // Set the lower face of a cell in direction d
     const auto faceBelow = [&](const labelVector& c, const direction d)
     {
         const label i = c.x(), j = c.y(), k = c.z();

@@ -11,8 +11,8 @@ namespace
 constexpr int band = 8, nLanes = 4, n = 60;
 using lanes = Eigen::Array<double, nLanes, 1>;
 
-//- Symmetric matrices of which every second has zeros on parts of its diagonal, as
-//  those of constraints; their right-hand sides
+//- Symmetric matrices, every second one with zeros on parts of its diagonal like matrices of
+//  constraints, and their right-hand sides
 struct systems
 {
     double A[nLanes][n][n], b[nLanes][n];
@@ -38,7 +38,7 @@ struct systems
         }
     }
 
-    //- The largest of |A x - b| of a lane
+    //- Largest |A x - b| of a lane
     scalar residual(const int l, const alignedVector<lanes>& x) const
     {
         scalar largest = 0;
@@ -55,7 +55,7 @@ struct systems
     }
 };
 
-//- Matrix of some systems, and their right-hand sides
+//- Matrix of several systems (lanes), and their right-hand sides
 void fill(const systems& s, bandedMatrix<band, lanes>& A,
           alignedVector<lanes>& b)
 {
@@ -75,7 +75,7 @@ void fill(const systems& s, bandedMatrix<band, lanes>& A,
 }
 } // namespace
 
-// Each lane is solved, and as if it were alone
+// Each lane gives the solution, with the same digits as if it were alone
 TEST(BandedMatrix, solvesInEachLaneAsAlone)
 {
     const systems s;
@@ -113,8 +113,8 @@ TEST(BandedMatrix, solvesInEachLaneAsAlone)
     test::expectBelow("from the solution alone", difference, 1e-13);
 }
 
-// A leading block that is singular, or nearly, is said to be so, in its lane only:
-// what elimination in this order cannot solve. Nothing overflows
+// factor() reports a leading block that is singular or nearly so, in its lane only. Nothing
+// overflows
 TEST(BandedMatrix, saysWhichLaneIsSingular)
 {
     for (const scalar pivot : {0.0, 1e-8, 1e-99, -1e-99})
@@ -144,7 +144,7 @@ TEST(BandedMatrix, saysWhichLaneIsSingular)
     }
 }
 
-// Some lanes of one matrix and the others of another one
+// take() copies the factors of the chosen lanes and no others
 TEST(BandedMatrix, takesLanesOfAnother)
 {
     const systems s;

@@ -37,8 +37,8 @@ TEST(Bending, noForceAndNoTorque)
 
 TEST(Bending, againstTheShearOfMeanCurvature)
 {
-    // Uniform reference: dW = INT J Q^a n.dx_a, Q = -E_B grad_s(2H), with the
-    // gradient of a field of its own
+    // Uniform reference: dW = INT J Q^a n.dx_a with Q = -E_B grad_s(2H); the gradient is
+    // computed independently
     const int N = 48;
     const sphericalHarmonics grid(N, 3 * N / 2 + 1);
     const int n = grid.nPoints();
@@ -120,9 +120,9 @@ TEST(Bending, smallWaveOnASphere)
 
 TEST(Bending, relaxation)
 {
-    // Overdamped motion down the load: a Y_20 bulge of a bent sphere goes away;
-    // a sphere compressed to 0.85 without bending buckles at constant volume, its
-    // energy falling
+    // Overdamped motion along the load: a Y_20 bulge of a sphere with bending decays; a
+    // sphere compressed to 0.85 without bending buckles at constant volume, with falling
+    // energy
     const int N = 12;
     const sphericalHarmonics grid(N, 3 * N / 2 + 1);
     const bending b(makeBending(grid, "modulus 1;"));
@@ -149,7 +149,7 @@ TEST(Bending, relaxation)
     const membrane m(make(N, "law neoHookean; Gs 1;"));
     numbers y(shape(N, [](const vector& e)
                     { return 0.85 * (1 + 1e-3 * test::noise(e)) * e; }));
-    // Along the load less its part that would change the volume
+    // Step along the load minus the part that would change the volume
     const sphericalHarmonics& g = m.harmonics();
     const int n = g.nPoints();
     numbers q(y.size()), t(3 * n), p(3 * n), area(3 * n), gv(y.size());

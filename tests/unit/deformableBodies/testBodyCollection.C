@@ -10,7 +10,7 @@ using namespace Foam;
 
 namespace
 {
-//- A file in constant of the case, or of a region
+//- Write a dictionary to constant of the case, or of a region
 void write(const char* name, const char* text, const word& region = "")
 {
     if (!Pstream::master()) return;
@@ -21,7 +21,7 @@ void write(const char* name, const char* text, const word& region = "")
         << name << "; }" << nl << text << endl;
 }
 
-//- A velocity that carries bodies through the box and shears them
+//- Set a velocity that carries bodies through the box and shears them
 staggeredField velocity()
 {
     const uniformGrid& grid = uniformGrid::New(test::mesh());
@@ -37,8 +37,7 @@ staggeredField velocity()
 }
 } // namespace
 
-// By bodies of two kinds in the middle of the box, which may be on the corner of
-// all blocks
+// Two kinds of bodies in the middle of the box, which may be at the corner of all blocks
 TEST(BodyCollection, aStepCanBeTakenBack)
 {
     write("transportProperties", "transportModel Newtonian; rho 1; nu 1;");
@@ -91,8 +90,8 @@ TEST(BodyCollection, aStepCanBeTakenBack)
     }
 }
 
-// What is read and written of a mesh region has its own place, as that of another
-// mesh of the same case must not be overwritten
+// Files of a mesh region are in folders of the region, so that the files of another mesh are
+// not overwritten
 TEST(BodyCollection, aRegionHasItsOwnPlace)
 {
     if (Pstream::parRun()) return;
@@ -127,7 +126,7 @@ TEST(BodyCollection, aRegionHasItsOwnPlace)
         EXPECT_TRUE(isFile(file)) << file;
     }
 
-    // The state of the region is read again
+    // The restart file of the region is read again
     const bodyCollection again(box.mesh(), true);
     EXPECT_EQ(again.save().states[0].size(), 1);
     for (const fileName& dir :

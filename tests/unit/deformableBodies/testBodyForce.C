@@ -8,7 +8,7 @@ using namespace Foam;
 
 namespace
 {
-//- A line of four points along (1 1 0), the inner ones standing for 2
+//- Line of four points along (1 1 0); the inner points represent a length of 2
 bodyPoints thread()
 {
     bodyPoints p{"fibres",

@@ -10,15 +10,15 @@
 using namespace Foam;
 using namespace test;
 
-// A sphere under loads of the families V, W and X, on which Stokes flow acts by a
-// number: what the mesh withholds of it at a/h = 4, in percent, is to be added.
-// Roma3: measured on the mesh; Peskin4: by a double sum of G_h over dense points
+// Sphere under loads of the families V, W and X, eigenvectors of Stokes flow. Near field in
+// percent of the velocity at a/h = 4. Roma3: measured on the mesh; Peskin4: double sum of
+// G_h over dense points
 TEST(CapsuleNearField, mobilityOfASphere)
 {
     const struct
     {
         deltaKernel::kernelType kernel;
-        scalar withheld[3][3]; // degree 1 to 3; V, W, X
+        scalar withheld[3][3]; // rows: degree 1 to 3; columns: V, W, X
     } meshes[] = {
         {deltaKernel::Roma3, {{34, 7, 21}, {48, 21, 35}, {58, 35, 47}}},
         {deltaKernel::Peskin4,
@@ -78,7 +78,7 @@ TEST(CapsuleNearField, mobilityOfASphere)
 
 namespace
 {
-// Microseconds of a call, the least of some
+// Microseconds of a call, least of several batches
 template<class Work>
 double least(Work work)
 {
@@ -103,8 +103,8 @@ double norm(const numbers& v)
 }
 } // namespace
 
-// With inertia: at steps much longer than diffusion takes it is that of slow flow, a
-// load that stays is followed without a step back, and steps may be split
+// With inertia: steps much longer than diffusion give the near field of slow flow, the
+// response to a constant load is monotonic, and steps may be divided
 TEST(CapsuleNearField, followsTheLoad)
 {
     const int N = 8;
@@ -133,7 +133,8 @@ TEST(CapsuleNearField, followsTheLoad)
     expectBelow("at once: difference from slow flow",
                 step(memory, 1e6 * sqr(h) / nu, 1), 1e-5);
 
-    // What is left after a time, by exp(-s t): slower than h^2/nu, faster than a^2/nu
+    // Share of the response that remains after a time decays between exp(-t nu/h^2) and
+    // exp(-t nu/a^2)
     memory.clear();
     step(memory, 1e-12, 0);
     scalar last = step(memory, 0.1 * sqr(h) / nu, 1);
@@ -147,7 +148,7 @@ TEST(CapsuleNearField, followsTheLoad)
     }
     expectBelow("after 20 h^2/nu", last, 1e-3);
 
-    // A load that grows in proportion to time, in one step and in five
+    // Load proportional to time, in one step and in five
     numbers one, five;
     step(one, 1e-12, 0);
     step(five, 1e-12, 0);
@@ -159,7 +160,7 @@ TEST(CapsuleNearField, followsTheLoad)
     expectBelow("split steps", mag(left - step(one, sqr(h) / nu, 1)), 1e-6);
 }
 
-// Time of a capsule's near field beside that of its membrane
+// Times of the near field and of the membrane of a capsule
 TEST(CapsuleNearField, DISABLED_cost)
 {
     std::printf("     N  a/h  points  near field  membrane  [microseconds]\n");
@@ -181,9 +182,8 @@ TEST(CapsuleNearField, DISABLED_cost)
     }
 }
 
-// What each setting of the sum is worth: time and error of the velocity, which is the
-// part from the near field, on an ellipsoid of D = 0.36 at a/h = 4 for a random load of
-// degree 1 to 5
+// Settings of the sum: time, and error of the velocity relative to its near-field part, on
+// an ellipsoid of D = 0.36 at a/h = 4 under a random load of degree 1 to 5
 TEST(CapsuleNearField, DISABLED_settings)
 {
     const int N = 12;
@@ -235,7 +235,7 @@ TEST(CapsuleNearField, DISABLED_settings)
                     int(near.nPoints()), time, error(u, right));
     }
 
-    // The sum alone, over points of the default
+    // Time of the sum alone, over the points of the default setting
     const nearField sum(deltaKernel::Roma3, h, 1, h);
     const label n = 294;
     std::vector<vector> X(n), F(n), fast(n), plain(n), within(n);

@@ -16,9 +16,9 @@ const uniformGrid& grid()
     return uniformGrid::New(test::mesh());
 }
 
-//- Points of several bodies, the same on all ranks: clouds of half a cell about
-//  centres anywhere, beyond periodic sides too; or chains that wander from there by
-//  some 0.4 cells from point to point, every second one of which may fold
+//- Points of several bodies, the same on all ranks: clouds of half a cell about random
+//  centres, also beyond periodic sides; or chains with steps of about 0.4 cells, every
+//  second one of which may fold
 struct clouds
 {
     vectorField X;
@@ -63,7 +63,7 @@ struct clouds
         along = l;
     }
 
-    //- Those of this rank: every so many, wherever they are
+    //- Bodies of this rank: every n-th, wherever it is
     labelList mine() const
     {
         DynamicList<label> own;
@@ -81,8 +81,9 @@ struct clouds
 
 namespace
 {
-//- Pairs are those of all points: bodies of even number make none with each other where
-//  asked, parts of one body where they are further apart than four cells along it
+//- Close pairs equal those of a search over all points. Bodies of even number make no pairs
+//  with each other if so configured; parts of one body make pairs if they are more than four
+//  cells apart along it
 void isAsByAllPairs(const clouds& all, const bool evenOnesDoNot)
 {
     const scalar h = cmptMin(grid().h()), range = 1.5 * h, apart = 4 * h;
@@ -102,7 +103,7 @@ void isAsByAllPairs(const clouds& all, const bool evenOnesDoNot)
     pairs.search(X, bodies, scalarField(UIndirectList<scalar>(all.along, mine)),
                  apart);
 
-    // Pairs twice, or once where this rank holds one of the two
+    // A pair counts twice if this rank holds both points, once if it holds one
     label found = 0;
     scalar distances = 0;
     for (const closePairs::pair& p : pairs.pairs())
@@ -146,7 +147,7 @@ TEST(ClosePairs, ofLongBodiesAsByAllPairs)
     isAsByAllPairs(clouds(7, 150, true), true);
 }
 
-// Runs of eight points of a sphere lie within a cap of some eight times their area
+// Eight successive points of a sphere lie within a cap of about eight times their area
 TEST(ClosePairs, patchesAreCompact)
 {
     DynamicList<vector> X;
@@ -185,7 +186,7 @@ TEST(ClosePairs, patchesAreCompact)
 
 namespace
 {
-//- Forces of a model among clouds are opposite for the two of each pair
+//- Forces of a model between clouds satisfy action = reaction
 void isMutual(const interactionModel& model, const scalar radius)
 {
     const scalar h = cmptMin(grid().h());
@@ -208,7 +209,7 @@ void isMutual(const interactionModel& model, const scalar radius)
         sum += F[k];
         size += mag(F[k]);
     }
-    // About an axis that all images share, where nothing is periodic
+    // Torque about an axis that all images share, if nothing is periodic
     const bool periodic =
         grid().periodic(0) || grid().periodic(1) || grid().periodic(2);
     forAll(F, k)
@@ -244,7 +245,7 @@ TEST(ClosePairs, collisionIsMutual)
         radius);
 }
 
-// Two long lines that cross exert the force of the law over the sine of their angle
+// Two long crossing lines exert the force of the law divided by the sine of their angle
 TEST(ClosePairs, forceOfCrossingLines)
 {
     if (Pstream::parRun()) return;
@@ -290,7 +291,7 @@ TEST(ClosePairs, forceOfCrossingLines)
     }
 }
 
-// Between two planes the pressure is that of the law
+// The pressure between two planes is that of the law
 TEST(ClosePairs, pressureOfPlanes)
 {
     const scalar h = cmptMin(grid().h());
@@ -302,7 +303,7 @@ TEST(ClosePairs, pressureOfPlanes)
         const scalar R = model.range(true, true);
         for (const scalar distance : {0.3, 0.5, 0.8})
         {
-            // A point above a fine plane of points
+            // A point above a plane of closely spaced points
             const scalar spacing = 0.02 * R;
             scalar force = 0;
             for (label i = -60; i <= 60; ++i)

@@ -1,14 +1,13 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// Filaments by themselves, against exact solutions and balances. Length 1, mass per
-// length 1
+// Single filaments against exact solutions and balances. Length 1, mass per length 1
 
 #include "testFilament.H"
 
 using namespace Foam;
 using namespace test;
 
-// From straight at 0.1 pi, B* = 0.01, g = 10
+// Released straight at 0.1 pi, B* = 0.01, g = 10
 TEST(Filament, nonlinearSwing)
 {
     const scalar angle = 0.1 * constant::mathematical::pi;
@@ -40,8 +39,8 @@ TEST(Filament, nonlinearSwing)
                       1e-12);
 }
 
-// Frequencies of small vibrations, f = (beta L)^2/(2 pi) sqrt(B/(m L^4)), from
-// crossings of zero by an end that starts from a mode at rest
+// Frequencies of small vibrations, f = (beta L)^2/(2 pi) sqrt(B/(m L^4)), from zero
+// crossings of an end, started in a mode at rest
 TEST(Filament, vibrations)
 {
     using filament = Foam::filament;
@@ -112,8 +111,8 @@ TEST(Filament, vibrations)
     }
 }
 
-// Clamped, pushed along itself towards the clamp, in a fluid that drags: waves
-// die at f L^3/B = 72 and grow at 80 (threshold 76)
+// Clamped filament with a follower load towards the clamp, in a fluid with drag: waves decay
+// at f L^3/B = 72 and grow at 80 (threshold 76)
 TEST(Filament, flutter)
 {
     const label N = 64;
@@ -129,7 +128,7 @@ TEST(Filament, flutter)
         scalar early = 0, late = 0;
         for (label step = 1; step <= 8000; ++step)
         {
-            // Along the shape extrapolated to the end of the step
+            // Load along the shape extrapolated to the end of the step
             const vectorField ahead(2.0 * x.places() - before);
             for (label i = 0; i <= N; ++i)
             {
@@ -154,7 +153,7 @@ TEST(Filament, flutter)
     }
 }
 
-// Force on the fluid, inertia and load add up to nothing, as inner forces do
+// The sum of drag, inertia and load is zero, as inner forces cancel
 TEST(Filament, exchangesMomentum)
 {
     const label N = 32;
@@ -196,7 +195,7 @@ TEST(Filament, exchangesMomentum)
     }
 }
 
-// A base that accelerates is as good as gravity
+// An accelerated base is equivalent to gravity
 TEST(Filament, baseMotion)
 {
     const label N = 32;

@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// The steps of filaments: what must stay stable, and what they cost
+// Time steps of filaments: stability and cost
 
 #include "testFilament.H"
 #include <chrono>
@@ -8,9 +8,9 @@
 using namespace Foam;
 using namespace test;
 
-// Released with a bend in a fluid at rest that drags: nothing may grow, whatever
-// drag and stiffness. With mass and drag at the nodes; and neutral, with drag at
-// points between them, set back from the ends, as in two-way coupling
+// Released with a bend in a fluid at rest with drag: no energy grows, whatever drag and
+// stiffness. Once with mass and with drag at the nodes; once neutrally buoyant with drag at
+// points between the nodes, set back from the ends as in two-way coupling
 TEST(Filament, neverGrows)
 {
     const label points = 15;
@@ -64,7 +64,7 @@ TEST(Filament, neverGrows)
     }
 }
 
-// Released straight and horizontal with steps of 0.1 sqrt(L/g), any stiffness
+// Released straight and horizontal, steps of 0.1 sqrt(L/g), any stiffness
 TEST(Filament, stableAtLargeSteps)
 {
     for (const scalar rigidity : {0.0, 0.01, 1.0, 100.0, 1e4})
@@ -89,7 +89,7 @@ TEST(Filament, stableAtLargeSteps)
     }
 }
 
-// Steps that Newton's method cannot take are halved, and go through
+// Steps at which Newton's method fails are divided and succeed
 TEST(Filament, halvesItsSteps)
 {
     const auto p = make(32, 0, filament::HINGED, filament::FREE);
@@ -107,8 +107,8 @@ TEST(Filament, halvesItsSteps)
     test::expectBelow("length of the segments", length, 1e-10);
 }
 
-// Five at once, in lanes of which some stay empty: each as if it were alone, one
-// hangs still (converges at once), one halves its steps while the others go on
+// Five filaments in lanes, some lanes empty, give the same results as single filaments. One
+// is at rest (converges at once), one divides its steps while the others continue
 TEST(Filament, togetherAsOneByOne)
 {
     const auto p = make(32, 0, filament::HINGED, filament::FREE);
@@ -146,9 +146,9 @@ TEST(Filament, togetherAsOneByOne)
     test::expectBelow("places", apart, 1e-9);
 }
 
-// Swing of the tip (root of its mean square) in the last two of 20 periods over
-// that in the first two, released straight at 0.05 pi. Higher modes beat in it,
-// so that it may exceed 1; what the step takes is seen beside a smaller one
+// Root mean square of the tip's swing in the last two of 20 periods over that in the first
+// two, released straight at 0.05 pi. Higher modes beat, so that the ratio may exceed 1; the
+// ratio of a smaller step shows the dissipation of the scheme
 TEST(Filament, keepsItsAmplitude)
 {
     const scalar angle = 0.05 * constant::mathematical::pi;
@@ -197,8 +197,8 @@ TEST(Filament, DISABLED_cost)
     }
 }
 
-// Run by tests/bench/filament: the largest of 0.1, 0.05, 0.025 ... sqrt(L/g) at
-// which 30 of these from straight and horizontal end without damage
+// Run by tests/bench/filament: the largest of 0.1, 0.05, 0.025 ... sqrt(L/g) at which 30
+// time units from straight and horizontal end without failure
 TEST(Filament, DISABLED_largestSteps)
 {
     const char* names[3] = {"implicit", "twoStep", "twoStepCentred"};

@@ -16,7 +16,7 @@ const uniformGrid& grid()
     return uniformGrid::New(test::mesh());
 }
 
-//- Fibres of radius 1/2 a cell, viscosity 2, a film of up to a fifth of the radius
+//- Fibres of radius 1/2 cell, viscosity 2, film up to a fifth of the radius
 struct scene
 {
     const scalar mu = 2, r = 0.5 * cmptMin(grid().h()), R = 0.2 * r;
@@ -31,8 +31,8 @@ struct scene
 };
 } // namespace
 
-// Over four decades of the gap, against Reynolds' equation; what k loses by ending at
-// the range is known for lines that cross
+// Resistance over four decades of the gap against Reynolds' equation. The loss of k by the
+// cut-off at the range is known for crossing lines
 TEST(Lubrication, formulas)
 {
     if (Pstream::parRun()) return;
@@ -57,7 +57,7 @@ TEST(Lubrication, formulas)
             EXPECT_NEAR(film.n.y(), 1, 1e-6);
         }
 
-        // Of different radii: reduced to those of the principal curvatures
+        // Reduced radius of two different radii, from the principal curvatures
         {
             const scalar b = 0.3 * r, both = r * b / (r + b);
             const vector e1(2 * r, 0, 0), e2(0, 0, 2 * r);
@@ -70,7 +70,7 @@ TEST(Lubrication, formulas)
                               mag(film.k / right - 1), 0.02);
         }
 
-        // An element beside one that is longer than the film is wide
+        // An element beside an element that is longer than the film is wide
         const vector e1(0.3 * r, 0, 0), e2(3 * r, 0, 0);
         const auto film = model.between(e1, e2, vector(0, 2 * r + g, 0), r, r);
         const scalar right = 1.5 * pi * s.mu * std::pow(r / g, 1.5) * mag(e1);
@@ -88,8 +88,8 @@ TEST(Lubrication, formulas)
     }
 }
 
-// From nothing at the range to a constant at the roughness; the same either way
-// round, whatever the elements
+// The resistance grows from 0 at the range to a constant at the roughness; it is symmetric
+// and does not depend on the elements
 TEST(Lubrication, isContinuousAndMutual)
 {
     if (Pstream::parRun()) return;

@@ -99,13 +99,12 @@ TEST(Membrane, noForceAndNoTorque)
     }
 }
 
-// Run by tests/bench/membrane: microseconds of one load, with its transforms,
-// and the error beside it
+// Run by tests/bench/membrane: microseconds and error of one load, transforms included
 TEST(Membrane, DISABLED_cost)
 {
     const auto microseconds = [](auto work)
     {
-        // The least of batches: what the machine can do
+        // Least time of several batches
         double least = 1e30;
         for (int batch = 0; batch < 20; ++batch)
         {

@@ -1,7 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// The laws of membranes by themselves. Exact solutions on a surface:
-// testMembrane.C
+// Membrane laws alone. Exact solutions on a surface: testMembrane.C
 
 #include "IStringStream.H"
 #include "membraneModel.H"
@@ -11,7 +10,7 @@ using namespace Foam;
 
 TEST(MembraneModel, uniaxialExtension)
 {
-    // T1 at the stretch l1 along and l2 across, where T2 = 0
+    // Tension T1 at the stretches l1 along and l2 across for which T2 = 0
     const auto tensions =
         [](const char* entries, const double l1, const double l2)
     {

@@ -16,7 +16,8 @@ rigidShape shape(const string& entries)
 }
 } // namespace
 
-// Against closed forms: a sphere, an oblate and a prolate spheroid
+// Volume, area and moments of a sphere, an oblate and a prolate spheroid against closed
+// forms
 TEST(RigidShape, measures)
 {
     const scalar pi = constant::mathematical::pi;
@@ -35,7 +36,7 @@ TEST(RigidShape, measures)
     EXPECT_NEAR(prolate.inertia().z(), 1, 1e-14);
 }
 
-// Points on the surface, opposite to each other, that share it evenly
+// Points lie on the surface, in opposite pairs, and represent equal areas
 TEST(RigidShape, points)
 {
     for (const string entries :
@@ -69,7 +70,7 @@ TEST(RigidShape, points)
         EXPECT_NEAR(mag(moment - s.volume() * tensor::I), 0, 1e-10);
         EXPECT_NEAR(sum(mag(dS)), s.area(), 0.02 * s.area());
 
-        // Of the spacing that n points would have on a square
+        // Distance relative to the spacing of n points on a square lattice
         const scalar spacing = std::sqrt(s.area() / n);
         EXPECT_GT(nearest, 0.25 * spacing);
         EXPECT_LT(furthest, 1.5 * spacing);

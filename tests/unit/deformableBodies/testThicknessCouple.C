@@ -7,8 +7,8 @@
 using namespace Foam;
 using namespace test;
 
-// Slow flow that the couple of an endless straight line drives, in a periodic box as
-// long as the line: nothing of the shear that it makes at its points is left
+// Slow flow driven by the couple of an infinite straight line, in a periodic box as long as
+// the line: the measured shear does not contain the line's own
 TEST(ThicknessCouple, doesNotFeelItself)
 {
     Random random(3);
@@ -27,7 +27,7 @@ TEST(ThicknessCouple, doesNotFeelItself)
             const scalar ds = 0.25 * h;
             const thicknessCouple couple(segments, ds, 0, kernel, mu, h);
 
-            // Turning like a rigid line, about its middle
+            // Velocities of a rigid line that rotates about its middle
             const vector start(h * random.sample01<vector>() +
                                h * vector(0, 24, 24));
             const vector turning(0, random.sample01<scalar>(),
@@ -43,7 +43,7 @@ TEST(ThicknessCouple, doesNotFeelItself)
                 gAndOwn;
             couple.markers(X, frames, at.data());
 
-            // Half of the way in a step
+            // Forces change by half of the difference in a step
             const auto settle = [&](const scalarField& K)
             {
                 for (int i = 0; i < 60; ++i)
@@ -54,7 +54,7 @@ TEST(ThicknessCouple, doesNotFeelItself)
             };
             settle(couple.K());
 
-            // From rest a step without end brings twice the steady flow
+            // Started from zero, an infinitely long step gives twice the steady flow
             auto flow = b.flow("convection off; diffusion FFT;");
             blockNeighbours neighbours(grid);
             markerSet markers(grid, kernel, neighbours);
@@ -68,8 +68,9 @@ TEST(ThicknessCouple, doesNotFeelItself)
             couple.shear(frames, couple.K(), U.cdata(), F.cdata(), g);
             largest = max(largest, max(mag(g)) / max(mag(gAndOwn)));
 
-            // Nor do two lines in one place that share it, nor one that others cross
-            // in the middle of the first station, where it has little of the couple
+            // Two coinciding lines that share the couple do not measure their own shear, nor
+            // does a line that others cross in the middle of the first station, where it has
+            // little of the couple
             vectorField ofTwo;
             couple.shear(frames, scalarField(0.5 * couple.K()), U.cdata(),
                          vectorField(0.5 * F).cdata(), ofTwo);

@@ -6,9 +6,8 @@
 
 using namespace Foam;
 
-// Two ellipsoids, spheres of only 2.4 cells, one of them across the corner of the box
-// where there are no walls; five times and half the viscosity inside. Only the
-// first rank has markers
+// Two ellipsoids, spheres of only 2.4 cells, one across the corner of the box if there are
+// no walls; five times and half the viscosity inside. Only the master has markers
 TEST(ViscosityContrast, levelsVolumeAndRange)
 {
     const fvMesh& mesh = test::mesh();

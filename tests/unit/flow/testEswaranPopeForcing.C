@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// Divergence-free, steady in the mean, of the strength asked for, repeatable
+// The force is divergence-free, statistically steady, of the strength given, and repeatable
 
 #include "testForcing.H"
 

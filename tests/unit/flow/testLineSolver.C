@@ -8,7 +8,7 @@ using namespace test;
 
 TEST(LineSolver, solvesForWaves)
 {
-    if (!blocks()) return; // it asks for this
+    if (!blocks()) return; // needs rectangular blocks
     const cellBox& box = grid().box();
     scalar worst = 0;
     for (direction d = 0; d < 3; ++d)
@@ -30,7 +30,7 @@ TEST(LineSolver, solvesForWaves)
             }
         }
     }
-    // Round-off times 1 + 4 beta
+    // Limit: round-off times 1 + 4 beta
     test::expectBelow("lines of a wave, error", worst, 1e-12);
 }
 

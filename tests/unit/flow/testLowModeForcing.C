@@ -7,7 +7,7 @@ using namespace test;
 
 TEST(LowModeForcing, evaluatedAtTheStaggeredPoints)
 {
-    // The partial sums against the series, point by point
+    // Partial sums equal the series at every point
     test::box b(labelVector(8, 6, 10), vector(1, 2, 3),
                 FixedList<bool, 3>(false), 1);
     auto o = make(b, stirring);

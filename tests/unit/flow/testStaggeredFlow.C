@@ -1,7 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// The flow engine against exact solutions and against itself: what must be
-// conserved, what must stay stable. Orders: tests/verification/studies
+// The staggered flow against exact solutions; conservation and stability. Orders:
+// tests/verification/studies
 
 #include "testFlow.H"
 #include <cerrno>
@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <new>
 
-// Counts what the program allocates
+// Count the allocations of the program
 static long allocations = 0;
 
 void* operator new(const std::size_t n)
@@ -18,7 +18,7 @@ void* operator new(const std::size_t n)
     if (void* p = std::malloc(n)) return p;
     throw std::bad_alloc();
 }
-// alignedVector takes its memory from this one
+// alignedVector allocates by posix_memalign
 extern "C" int posix_memalign(void** memory, const std::size_t alignment,
                               const std::size_t n) noexcept
 {
@@ -56,8 +56,9 @@ TEST(StaggeredFlow, stableAtLargeViscousSteps)
     }
 }
 
-// Noise in a uniform velocity: at the stated Courant number AB2 gives a wave back half of
-// what viscosity takes, at 2^(1/3) of it all. The last waves have some five cells
+// Noise in a uniform flow: at the Courant number of the limit AB2 amplifies a wave by half
+// of what viscosity dissipates, at 2^(1/3) times this number by all of it. The critical
+// waves have about five cells
 TEST(StaggeredFlow, wavesOfFiveCellsDoNotGrow)
 {
     struct flowCase
@@ -92,7 +93,7 @@ TEST(StaggeredFlow, wavesOfFiveCellsDoNotGrow)
             const scalar Co = flow->stableCourantNo();
             const scalar dt = share * Co / flow->CourantNo(1);
 
-            // In which waves along U decay by some e^2, those of five cells by more
+            // Time in which waves along U decay by about e^2, waves of five cells by more
             const label nSteps = label(2 * magSqr(cmptMultiply(f.h, f.U)) /
                                        magSqr(f.U) / (f.nu * dt));
             const auto noiseAfter = [&](const label steps)
@@ -140,7 +141,7 @@ TEST(StaggeredFlow, timeSchemeThatBearsTheStep)
         EXPECT_EQ(flow->nStages(), flow->timeScheme() == "RK3" ? 3 : 1);
         return flow->timeScheme();
     };
-    // AB2 bears (3.4 nu/(u h))^(1/3) = 0.31 less the terms of higher order
+    // Limit of AB2: (3.4 nu/(u h))^(1/3) = 0.31 minus terms of higher order
     EXPECT_EQ(chosen("", 0.27, false), "AB2");
     EXPECT_EQ(chosen("", 0.4, false), "RK3");
     EXPECT_EQ(chosen("", 0.6, true), "AB2");
@@ -152,8 +153,8 @@ TEST(StaggeredFlow, timeSchemeThatBearsTheStep)
 
 TEST(StaggeredFlow, PoiseuilleErrsByTheKnownAmount)
 {
-    // Steady between walls at y = 0, 1: g y (1 - y)/(2 nu), plus g h^2/(8 nu)
-    // from the mirrored velocity beyond the walls
+    // Steady flow between walls at y = 0, 1: g y (1 - y)/(2 nu), plus g h^2/(8 nu) from the
+    // mirrored velocity beyond the walls
     const label n = 12;
     const scalar nu = 0.7, g = 3, h = 1.0 / n;
     for (const char* diffusion : {"diffusion ADI;", "diffusion FFT;"})
@@ -190,7 +191,7 @@ TEST(StaggeredFlow, flowRateIsHeld)
         scalar worst = 0;
         for (label i = 0; i < 8000; ++i)
         {
-            // With the last gradient as a guess and without one
+            // With the last gradient as the first guess, and without a guess
             flow->force().clear();
             const scalar guess = i % 2 ? flow->meanGradient() : 0;
             flow->hold(0, 1, guess);
@@ -203,7 +204,7 @@ TEST(StaggeredFlow, flowRateIsHeld)
         test::expectBelow(std::string("mean velocity held, ") + controls, worst,
                           1e-13);
 
-        // From the discrete profile, g h^2/(8 nu) included, summed over cells
+        // Flow rate of the discrete profile, g h^2/(8 nu) included, summed over cells
         const scalar g = 12 * nu / (1 + 2 * sqr(h));
         test::expectBelow("    pressure gradient against plane Poiseuille flow",
                           mag(flow->meanGradient() / g - 1), 1e-10);
@@ -212,8 +213,8 @@ TEST(StaggeredFlow, flowRateIsHeld)
 
 TEST(StaggeredFlow, turnedBoxWithLayersApart)
 {
-    // Layers of 128 x 64 cells are not next to each other in memory (cellBox::stride());
-    // of the same flow in a box that is turned they are
+    // Layers of 128 x 64 cells are not contiguous in memory (cellBox::stride()); layers of
+    // the same flow in a rotated box are
     const scalar nu = 0.01, dt = 0.003;
     const label n = 3;
     for (const bool walls : {false, true})
@@ -273,7 +274,7 @@ TEST(StaggeredFlow, turnedBoxWithLayersApart)
 
 TEST(StaggeredFlow, StokesModeHasNoConvection)
 {
-    // Every solenoidal wave decays by its own rate, whatever its amplitude
+    // Every solenoidal wave decays at its own rate, whatever its amplitude
     const scalar nu = 1, h = 2 * pi / 16;
     const scalar rate = nu * 2 * (2 - 2 * std::cos(h)) / sqr(h);
     const auto start = [](const vector& x)
@@ -295,8 +296,8 @@ TEST(StaggeredFlow, StokesModeHasNoConvection)
 
 TEST(StaggeredFlow, layersOfTwoViscosities)
 {
-    // Shear across two layers: lower half nu = 1, upper half nu = ratio. Steady:
-    // the stress is continuous
+    // Shear flow of two layers: lower half nu = 1, upper half nu = ratio. In the steady
+    // state the stress is continuous
     const label n = 16;
     for (const scalar ratio : {0.1, 0.5, 2.0, 10.0, 100.0})
     {
@@ -307,7 +308,7 @@ TEST(StaggeredFlow, layersOfTwoViscosities)
         {
             (*b.nu)[i] = b.mesh().C()[i].y() < 0.5 ? 1 : ratio;
         }
-        const scalar shear = 2 * ratio / (1 + ratio); // of the lower layer
+        const scalar shear = 2 * ratio / (1 + ratio); // shear rate of the lower layer
         const auto exact = [&](const vector& x)
         {
             return vector(x.y() < 0.5 ? shear * x.y()
@@ -317,9 +318,9 @@ TEST(StaggeredFlow, layersOfTwoViscosities)
         const scalar largest = max(ratio, scalar(1));
         for (const scalar number : {0.5, 10.0, 200.0})
         {
-            // Long enough for diffusion, for the split part, which converges
-            // like (1 - nu/nu_max)^(steps/2), and for Crank-Nicolson, which
-            // keeps (1 - h^2/(nu dt))^steps of a wave of length 2 h
+            // Long enough for diffusion, for the explicit part of the splitting, which
+            // converges like (1 - nu/nu_max)^(steps/2), and for Crank-Nicolson, which keeps
+            // (1 - h^2/(nu dt))^steps of a wave of length 2 h
             const scalar dt = number / sqr(scalar(n)) / largest;
             const scalar rest = 1 - min(ratio, 1 / ratio);
             const label steps = label(3 / min(ratio, scalar(1)) / dt) +
@@ -383,7 +384,7 @@ TEST(StaggeredFlow, wallsMustMoveAsOne)
               "the velocity of a wall must be tangential, and it is not on the "
               "lower side in y");
 
-    // A wall that goes wrong on the way
+    // A wall whose velocity becomes invalid during the run
     b.moveWalls(Zero, Zero);
     auto flow = b.flow("");
     step(*flow, 0.001);
@@ -414,7 +415,7 @@ TEST(StaggeredFlow, stepAllocatesNothing)
     }
 }
 
-// A step taken back and made again is the same to the last bit
+// A step that is restored and repeated gives the same result to the last bit
 TEST(StaggeredFlow, canBeTakenBack)
 {
     for (const char* controls :

@@ -11,8 +11,8 @@ protected:
     deltaKernel kernel{GetParam()};
 };
 
-// The weights at many places are those of the kernel's function, at each of them, and
-// their squares have the sum that does not depend on the place
+// The weights at many positions are values of phi, and the sum of their squares does not
+// depend on the position
 TEST_P(DeltaKernel, weightsAreThoseOfTheFunction)
 {
     const label n = 1000;

@@ -15,7 +15,7 @@ const uniformGrid& grid()
     return uniformGrid::New(test::mesh());
 }
 
-//- Markers of this rank, anywhere in the box and beyond its periodic sides
+//- Markers of this rank at random positions in the box and beyond its periodic sides
 vectorField randomMarkers(const label n)
 {
     Random random(7 + Pstream::myProcNo());
@@ -98,7 +98,7 @@ TEST_P(MarkerSet, interpolationIsTheAdjointOfSpreading)
                       mag(onMarkers - onGrid) / size, 1e-13);
 }
 
-// The sum itself, point by point, for markers of each kind: whole, clipped, cut
+// Interpolation equals a sum over the grid points, for whole, clipped and cut markers
 TEST_P(MarkerSet, interpolatesAsTheKernelSays)
 {
     const vectorField X(randomMarkers(500));
@@ -119,7 +119,8 @@ TEST_P(MarkerSet, interpolatesAsTheKernelSays)
             {
                 const label n = grid().n()[e];
                 const bool periodic = grid().periodic(e);
-                // To the last digit as markerSet has it: beside a wall it is magnified
+                // Position with the same rounding as in markerSet, as differences are
+                // magnified beside a wall
                 scalar x = (X[k][e] - grid().origin()[e]) * (1 / grid().h()[e]);
                 if (periodic) x -= n * std::floor(x / n);
                 deltaKernel(GetParam())
@@ -187,9 +188,9 @@ TEST_P(MarkerSet, conservesForce)
 
 TEST_P(MarkerSet, interpolatesLinearFieldsExactly)
 {
-    // Linear where the box is not periodic, so that walls are tested too. Left
-    // out: components normal to a wall within a cell of it, which see a single
-    // point that is not a boundary value
+    // Field that is linear in directions that are not periodic, so that walls are tested
+    // too. Components normal to a wall within a cell of it are excluded, as their stencil
+    // has one point that is not a boundary value
     vectorField X(randomMarkers(500));
     vector slope(Zero);
     for (direction d = 0; d < 3; ++d)
@@ -219,14 +220,14 @@ TEST_P(MarkerSet, interpolatesLinearFieldsExactly)
                       returnReduce(error, maxOp<scalar>()), 1e-12);
 }
 
-// Lines of 7 markers a cell apart, anywhere
+// Lines of 7 markers with a spacing of one cell, at random positions
 TEST_P(MarkerSet, countsLinesInOnePlace)
 {
     Random random(3);
     for (const label n : {1, 2, 5})
     {
-        // n lines on each other on the first rank, at a place that all ranks know,
-        // and one of another rank across them
+        // n coinciding lines on the first rank, at a position known to all ranks, and one
+        // line of another rank across them
         const bool first = Pstream::master();
         const bool last = Pstream::myProcNo() == Pstream::nProcs() - 1;
         vector start(random.sample01<vector>());
@@ -255,8 +256,8 @@ TEST_P(MarkerSet, countsLinesInOnePlace)
         markers.lineDensity(X, line, true, density);
         forAll(X, k)
         {
-            // Where the one across touches them, and where nobody does. A box
-            // shorter than a line in some direction brings it back onto itself
+            // Markers that the crossing line touches, and markers without another line. In a
+            // direction shorter than the line the box brings it back onto itself
             const label at = k % each;
             const label lines = at == middle ? n + 1 : line[k] == 77 ? 1 : n;
             if (mag(at - middle) == 1) continue;
@@ -266,7 +267,7 @@ TEST_P(MarkerSet, countsLinesInOnePlace)
     }
 }
 
-// A straight line, whatever its direction, and one that comes back to itself
+// A straight line of any direction, and a line that returns to itself
 TEST_P(MarkerSet, countsALineOnceUnlessItIsFolded)
 {
     const label each = 12;
@@ -291,8 +292,8 @@ TEST_P(MarkerSet, countsALineOnceUnlessItIsFolded)
     }
 }
 
-// Many lines in a small part of the box, straight or hairpins, some across periodic sides,
-// some that count for nobody: against all pairs of markers of all ranks
+// Many straight or folded lines in a small part of the box, some across periodic sides, some
+// not counted: against a search over all pairs of markers of all ranks
 TEST_P(MarkerSet, countsLinesAsAllPairsDo)
 {
     const label nLines = 14, each = 10;
@@ -329,7 +330,7 @@ TEST_P(MarkerSet, countsLinesAsAllPairsDo)
             wraps = wraps ||
                     (g.periodic(d) && mag(chord[d]) > g.n()[d] - 2 * reach);
         }
-        // Walls may have bent a straight one
+        // Clipping to walls may have bent a straight line
         const SubList<vector> nodes(X, each, i * each);
         SubList<scalar>(folded, each, i * each) =
             scalar(wraps || Foam::folded(nodes));

@@ -9,7 +9,7 @@ using namespace Foam;
 
 namespace
 {
-//- Points on a sphere of 4 h with forces, neither symmetric nor smooth
+//- Points on a sphere of radius 4 h with forces that are neither symmetric nor smooth
 struct cloud
 {
     vectorField X, F;
@@ -69,7 +69,8 @@ TEST(NearField, sumOfPairs)
     }
 }
 
-// Of two clouds together: each by itself, and what each adds to the other
+// Velocity of two clouds together equals that of each alone plus the contribution of the
+// other
 TEST(NearField, sumBetweenClouds)
 {
     const nearField near(deltaKernel::Roma3, 0.5, 2, 0.6);
@@ -117,9 +118,9 @@ TEST(NearField, symmetryAndInvariance)
     EXPECT_TRUE(velocity(near, c.X, c.F) == u) << "the same in every run";
 }
 
-// The mobility of Roma3 less that of Peskin4, measured with forces and targets
-// at random places in discrete Stokes flow on 64^3 cells. The scatter of the
-// single values is 1.7 and 0.5 %, that of means 0.1 %
+// Mobility of Roma3 minus that of Peskin4, measured with forces and targets at random
+// positions in discrete Stokes flow on 64^3 cells. Single values scatter by 1.7 and 0.5 %,
+// means by 0.1 %
 TEST(NearField, smoothedMobilityAsMeasured)
 {
     const nearField Roma(deltaKernel::Roma3, 1, 1, 1.3);

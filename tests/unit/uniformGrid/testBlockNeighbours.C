@@ -12,7 +12,7 @@ const uniformGrid& grid()
     return uniformGrid::New(test::mesh());
 }
 
-//- The same points on all ranks, in the box and beyond its periodic sides
+//- Points in the box and beyond its periodic sides, the same on all ranks
 vectorField points(const label n)
 {
     Random random(5);
@@ -44,8 +44,8 @@ TEST(BlockNeighbours, allRanksAgreeOnTheHolderOfAPoint)
     }
 }
 
-// Every rank with a cell within the margin of a point is found by whoever asks; where this
-// rank is said to be alone there is no other
+// The search finds every rank with a cell within the margin of a point; within the box
+// called alone there is no other rank
 TEST(BlockNeighbours, findsWhoHasCellsNearAPoint)
 {
     blockNeighbours neighbours(grid());
@@ -125,7 +125,7 @@ TEST(BlockNeighbours, messagesArrive)
         in[i] = -1;
     }
 
-    // Those of known sizes
+    // Exchange of messages of known sizes
     sizes = neighbours.sizes(sizes);
     neighbours.exchange(give, take);
     forAll(in, i)

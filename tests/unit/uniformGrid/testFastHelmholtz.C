@@ -8,7 +8,7 @@ using namespace test;
 
 namespace
 {
-//- Error of the solution whose right side is a product of waves
+//- Error of the solution for a product of waves as right-hand side
 scalar errorOf(const FixedList<sideConditions, 3>& sides, const scalar sigma)
 {
     const FixedList<scalar, 3> a({1.3, 0.7, 2.0});

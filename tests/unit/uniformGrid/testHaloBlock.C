@@ -6,11 +6,11 @@
 using namespace Foam;
 using namespace test;
 
-// Every place of the halo, its edges and corners included, has the value of the cell
-// that it stands for; beyond walls that of the cell inside
+// Every halo value, edges and corners included, is that of the cell it represents; beyond
+// walls that of the cell inside
 TEST(HaloBlock, fillsItsLayer)
 {
-    if (!blocks()) return; // of an unstructured decomposition there are none
+    if (!blocks()) return; // unstructured decompositions have no halo blocks
     const haloBlock halo(grid());
     const cellBox& box = halo.box();
     const auto value = [&](labelVector c)
@@ -46,8 +46,8 @@ TEST(HaloBlock, fillsItsLayer)
                       returnReduce(worst, maxOp<scalar>()), 0);
 }
 
-// The places next to cells alone: those below of one array, those above in each direction of
-// the array of that direction, and no others
+// Exchange of the next cells only: sets the layers below of one array, the layers above in
+// each direction of the array of that direction, and no others
 TEST(HaloBlock, fillsFaces)
 {
     if (!blocks()) return;

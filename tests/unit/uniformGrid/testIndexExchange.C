@@ -5,8 +5,7 @@
 
 using namespace Foam;
 
-// Values that are numbered through all ranks are dealt to these one by one, in
-// reverse order, and come back
+// Values numbered over all ranks are distributed in reverse order and return to their owners
 TEST(IndexExchange, dealsAndReturns)
 {
     const label n = 60, ranks = Pstream::nProcs(), me = Pstream::myProcNo();

@@ -24,7 +24,7 @@ TEST(PlaneTransform, thereAndBack)
     test::expectBelow("transforms there and back", worst, 1e-14);
 }
 
-// A wave becomes a single mode of its two directions, whose eigenvalues are its own
+// A wave becomes a single mode of its two directions with the eigenvalues of the wave
 TEST(PlaneTransform, waveIsOneMode)
 {
     const List<labelVector> cells(grid().cells());
@@ -41,7 +41,7 @@ TEST(PlaneTransform, waveIsOneMode)
         }
         transform.forward(x.cdata());
 
-        // Periodic waves have a cosine and a sine of the same eigenvalue
+        // Periodic waves: cosine and sine have the same eigenvalue
         scalar all = 0, own = 0;
         const scalar slow = w.along[transform.slow].eigenvalue(),
                      fast = w.along[transform.fast].eigenvalue();

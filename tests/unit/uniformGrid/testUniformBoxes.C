@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// Decomposition into rectangular blocks: numbers of blocks, and who gets what
+// Decomposition into rectangular blocks: numbers of blocks, and their ranks
 
 #include "planeTransform.H"
 #include "testBox.H"
@@ -11,7 +11,7 @@ using namespace Foam;
 namespace
 {
 //- Values that the busiest rank sends in a step, counted cell by cell: seven for each face
-//  towards another rank, two for each cell of a plane that another one transforms
+//  to another rank, two for each cell of a plane that another rank transforms
 label sent(const labelVector& cells, const labelVector& blocks,
            const FixedList<bool, 3>& periodic)
 {
@@ -112,7 +112,7 @@ TEST(UniformBoxes, ofEqualCountsTheyCutAlongZFirst)
     EXPECT_EQ(uniformBoxes::counts(cells, 8), labelVector(1, 1, 8));
 }
 
-// A cut between walls has one side where a periodic one has two
+// A cut between walls has one side, a periodic cut has two
 TEST(UniformBoxes, twoRanksMeetBetweenWalls)
 {
     FixedList<bool, 3> periodic(true);
@@ -168,7 +168,7 @@ TEST(UniformBoxes, everyCellIsDealtToABlock)
     const labelList rank(
         method.decompose(b.mesh(), centres, scalarField(centres.size(), 1)));
 
-    // As many cells as their bounding box has places: a whole block
+    // The number of cells equals that of the bounding box: a whole block
     std::vector<boundBox> around(12);
     labelList held(12, Zero);
     forAll(rank, celli)

@@ -75,7 +75,7 @@ struct regularised
     }
 };
 
-//- f becomes the velocity of the discrete Stokes flow, mu = h = 1
+//- Replace f by the velocity of the discrete Stokes flow, mu = h = 1
 void solve(staggeredField& f, const label n)
 {
     const label size = n * n * n;
@@ -95,7 +95,8 @@ void solve(staggeredField& f, const label n)
     }
     for (label q = 0; q < size; ++q)
     {
-        // Of the divergence at centres; - its conjugate is that of gradients
+        // Symbol of the divergence at cell centres; minus its conjugate is that of the
+        // gradient
         std::complex<double> D[3], force(0);
         double kk = 0;
         const label at[3] = {q % n, q / n % n, q / (n * n)};
@@ -147,7 +148,7 @@ TEST(MeshMobility, DISABLED_table)
     const auto anywhere = [&]()
     { return random.sample01<vector>() - 0.5 * vector::one; };
     vectorField r;
-    tensorField images; // of the regularised Stokeslet
+    tensorField images; // part of the regularised Stokeslet
     for (const scalar q : distances)
     {
         for (label i = 0; i < nDirections; ++i)
@@ -164,7 +165,7 @@ TEST(MeshMobility, DISABLED_table)
 
     std::printf("kernel,q,A,B,scatter\n");
     blockNeighbours neighbours(grid);
-    scalarField sum; // of the first kernel, G_h and what is added
+    scalarField sum; // first kernel: G_h and near field
     for (const auto kernel : {deltaKernel::Roma3, deltaKernel::Peskin4})
     {
         markerSet markers(grid, deltaKernel(kernel), neighbours);

@@ -48,14 +48,14 @@ double rough(const numbers& x, const sphericalHarmonics& grid)
 
 class stokesCapsule
 {
-    const sphericalHarmonics grid_; // of the sum
+    const sphericalHarmonics grid_; // points of the sum
     const membrane membrane_;
     std::unique_ptr<bending> bending_;
     const tensor flow_;
     const double mu_, d_;
     numbers x_;
 
-    //- A and B at a distance, less what is the same for all: times 1/(8 pi mu)
+    //- A and B at a distance without the common factor 1/(8 pi mu)
     void mobility(const double r, double& A, double& B) const
     {
         if (r > 6 * d_)

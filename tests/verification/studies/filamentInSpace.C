@@ -14,8 +14,7 @@ TEST(FilamentOrders, pendulumOfModeOne)
     scalar before = 0;
     for (const label N : {16, 32, 64})
     {
-        // Nodes at equal distance along the chain that hangs in -x; s' from the
-        // free end
+        // Nodes with equal spacing along the chain hanging in -x; s' from the free end
         const auto p = make(N, 0, filament::HINGED, filament::FREE);
         vectorField nodes(N + 1, Zero);
         for (label i = 1; i <= N; ++i)
@@ -46,8 +45,8 @@ TEST(FilamentOrders, pendulumOfModeOne)
     }
 }
 
-// Elastica of a cantilever under a load at its tip, P L^2/B = 1, 2, 5, 10, and
-// under a distributed one, q L^3/B = 1, 5, 10; at rest after steps with much drag
+// Elastica of a cantilever with a load at its tip, P L^2/B = 1, 2, 5, 10, and with a
+// distributed load, q L^3/B = 1, 5, 10; at rest after steps with much drag
 TEST(FilamentOrders, cantilever)
 {
     const struct

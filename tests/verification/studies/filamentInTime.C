@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// The time schemes of filaments: implicit, and two kept for comparison
+// Time schemes of filaments: implicit, and two kept for comparison
 
 #include "testFilament.H"
 #include <chrono>
@@ -10,21 +10,21 @@ using namespace test;
 
 namespace
 {
-//- What all three schemes can run: without drag
+//- Scenes that all three schemes can run, without drag
 struct schemeScene
 {
     const char* name;
     filament::properties p;
     vectorField nodes;
-    vectorField force; // per length
-    bool ramp;         // is it applied bit by bit?
+    vectorField force; // force per length
+    bool ramp;         // force grows gradually
     vector clamp;
-    scalar scale;   // of the motion of the tip
-    scalar end, dt; // largest step
+    scalar scale;      // period of the motion of the tip
+    scalar end, dt;    // end of the run, and largest step
 };
 
-//- Straight release, chain in its first mode, beam that is loaded at its tip in
-//  half a cosine, vibration of a beam
+//- Scenes: release from straight, chain in its first mode, beam loaded at its tip with half
+//  a cosine, vibration of a beam
 std::vector<schemeScene> schemeScenes()
 {
     const label N = 32;
@@ -38,7 +38,7 @@ std::vector<schemeScene> schemeScenes()
                        false, vector(1, 0, 0), 1, end, dt});
         return all.back();
     };
-    // Segments with this rise dy of each, along x
+    // Nodes along x with a rise dy per segment
     const auto curve = [&](schemeScene& s, const auto& y, const scalar along)
     {
         for (label i = 1; i <= N; ++i)
@@ -114,7 +114,7 @@ schemeRun runScheme(const schemeScene& s, const filament::schemeType scheme,
     const auto start = std::chrono::steady_clock::now();
     for (label step = 1; step <= 40 * every; ++step)
     {
-        // The centred scheme wants it in the middle of its places
+        // The centred scheme needs the force at the middle of its positions
         const scalar t =
             dt * (scheme == filament::TWO_STEP_CENTRED ? step - 1 : step);
         if (s.ramp)
@@ -134,9 +134,9 @@ schemeRun runScheme(const schemeScene& s, const filament::schemeType scheme,
 }
 } // namespace
 
-// The three schemes: largest error of the tip at 40 times against a small step of
-// the implicit one, the error of the lengths, and what they take. Two of second
-// order, the thesis' of first
+// Comparison of the three schemes: largest error of the tip relative to a small step of the
+// implicit scheme, error of the lengths, and time. Two are of second order, that of the
+// thesis of first
 TEST(FilamentOrders, schemes)
 {
     const char* names[3] = {"implicit", "twoStep", "twoStepCentred"};
@@ -171,7 +171,7 @@ TEST(FilamentOrders, schemes)
                 if (before > 0) order = std::log2(before / error);
                 before = error;
 
-                // Time for an error of 1e-3, along the line to the last one
+                // Time for an error of 1e-3, extrapolated from the last line
                 const scalar slope = k == filament::TWO_STEP ? 1 : 0.5;
                 needed[k] = ms * std::pow(error / 1e-3, slope);
                 steps[k] = s.end / dt * std::pow(error / 1e-3, slope);
@@ -182,15 +182,15 @@ TEST(FilamentOrders, schemes)
                 s.name, names[k], order, steps[k], needed[k]);
             EXPECT_GE(order, k == filament::TWO_STEP ? 0.8 : 1.7);
         }
-        // A step of the implicit scheme costs about twice one of the other, and its
-        // time is to be a tenth (quasi-static, the load leaves less to gain: a fifth)
+        // A step of the implicit scheme costs about twice one of the others; its total time
+        // has to be a tenth (a fifth for the quasi-static load)
         test::expectBelow(std::string(s.name) +
                               ": steps for 1e-3, implicit over twoStep",
                           steps[0] / steps[1], s.ramp ? 0.1 : 0.05);
     }
 }
 
-// Steps of varying size: still of second order
+// Varying steps keep the second order
 TEST(FilamentOrders, variableSteps)
 {
     const schemeScene s(schemeScenes()[1]);

@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// Orders of the flow engine in space
+// Orders of the staggered flow in space
 
 #include "testFlow.H"
 #include "testOrder.H"
@@ -41,8 +41,8 @@ TEST(FlowOrders, TaylorGreenInSpace)
 
 TEST(FlowOrders, orderInSpaceBetweenWalls)
 {
-    // Successive grids, compared where the faces of the finer one average to
-    // those of the coarser
+    // Difference of successive grids at faces of the coarser one, averaged from those of the
+    // finer one
     std::vector<staggeredField> u;
     std::vector<scalar> d;
     for (const label n : {16, 32, 64})
@@ -82,7 +82,7 @@ TEST(FlowOrders, orderInSpaceBetweenWalls)
 
 TEST(FlowOrders, CouetteStartUp)
 {
-    // From rest at t = 0, exact from t0 on: walls at y = 0 (at rest) and 1
+    // Start from rest at t = 0, exact from t0 on: walls at y = 0 (at rest) and 1
     const scalar nu = 1, t0 = 0.02, end = 0.08;
     const auto exactAt = [&](const scalar t)
     {
@@ -107,7 +107,7 @@ TEST(FlowOrders, CouetteStartUp)
         return errorOf(run(b, controls, end, steps).u, b, exactAt(t0 + end));
     };
 
-    // nu dt/h^2 = 0.1 on every grid: space and time together
+    // nu dt/h^2 = 0.1 on every grid: order in space and time together
     expectOrder("Couette start-up, order in space, nu dt/h^2 0.1",
                 std::log2(after(16, 205, "") / after(32, 819, "")), 1.95, 2.05);
     expectOrder("Couette start-up, order in space, explicit",
@@ -115,7 +115,7 @@ TEST(FlowOrders, CouetteStartUp)
                           after(32, 1638, "diffusion explicit;")),
                 1.95, 2.05);
 
-    // In time at a fixed grid: differences of successive steps
+    // Order in time on a fixed grid, from differences of successive steps
     for (const scalar number : {0.1, 0.5, 2.5})
     {
         const label n = 32;

@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// Orders of the flow engine in time: differences of runs with n, 2n, 4n steps
+// Orders of the staggered flow in time: differences of runs with n, 2n, 4n steps
 
 #include "testFlow.H"
 #include "testOrder.H"
@@ -89,7 +89,7 @@ TEST(FlowOrders, kineticEnergyWithoutViscosity)
                         periodic, 0);
             b.start(vortices);
             auto flow = b.flow(controls);
-            step(*flow, 1e-12); // makes the start divergence-free
+            step(*flow, 1e-12); // makes the initial velocity divergence-free
             const auto energy = [&]()
             {
                 const staggeredField u(velocityOf(*flow, b));
@@ -113,7 +113,7 @@ TEST(FlowOrders, kineticEnergyWithoutViscosity)
 
 TEST(FlowOrders, oscillatingWall)
 {
-    // A wall that moves with sin(t): order in time, the walls read each step
+    // Wall that moves with sin(t): order in time; the velocity of walls is read each step
     // from a condition that changes
     std::vector<staggeredField> u;
     for (const label steps : {20, 40, 80})

@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// Errors of the loads of membrane and bending over the degree of the harmonics
+// Errors of the loads of membrane and bending against the degree of the harmonics
 
 #include "testShapes.H"
 
@@ -48,7 +48,7 @@ TEST(MembraneOrders, prolateAgainstAxisymmetricTheory)
             error += grid.weight(k) * magSqr(load - exact);
             size += grid.weight(k) * magSqr(exact);
         }
-        // A tenth above the published digits
+        // Limit: a tenth above the published digits
         test::expectBelow("prolate (1,1,2), relative L2 error, N = " +
                               std::to_string(N),
                           std::sqrt(error / size), 1.1 * table[i]);
@@ -57,8 +57,8 @@ TEST(MembraneOrders, prolateAgainstAxisymmetricTheory)
 
 TEST(BendingOrders, biconcaveConverges)
 {
-    // Against degree 64; the table of what accuracy costs. Factor 1.5: the
-    // table was made with another reference
+    // Error relative to degree 64 against the published table. Factor 1.5, as the table was
+    // made with another reference
     const auto loadOf = [](const int N, const sphericalHarmonics& fine)
     {
         const sphericalHarmonics grid(N, 3 * N / 2 + 1);
