@@ -1,22 +1,23 @@
-"""What accuracy of a case costs in time.
+"""Accuracy of a case against its cost.
 
 Runs copies of a case (the case itself is not touched), each with one setting changed, and
-compares a quantity of the bodies at the end. Of each setting that is varied the error of
-its values is what they differ from its limit: Richardson's, where the three finest values
-approach one at a steady order, else the finest. Written to the output folder are a table
-(accuracyCost.csv), a picture (accuracyCost.png: error against core seconds, a line for each
-setting, the cheapest marked) and, printed, which combination is the cheapest for 1, 0.3 and
-0.1 %. Errors of different settings are added, costs multiplied. Core seconds of a run below
-one second are the least of three.
+compares a quantity of the bodies at the end. The error of a value of a setting is its
+difference from the limit of this setting: Richardson's extrapolation if the three finest
+values converge with a steady order, otherwise the finest value. The output folder gets a
+table (accuracyCost.csv) and a picture (accuracyCost.png: error against core seconds, a line
+for each setting, the cheapest marked); the cheapest combinations for 1, 0.3 and 0.1 % are
+printed. Errors of different settings are added, costs multiplied. Core seconds of a run
+below one second are the least of three.
 
-Of settings that are words (nearField, kernel, ...) the last value is taken to be right. The
-case's own value is part of the comparison only where it is among those given. Each run starts from 0.orig where the case has it, else from 0, after blockMesh and
-setExprFields where it has their dictionaries. Runs that are done are kept: after a kill the same command goes on where it was.
+For settings that are words (nearField, kernel, ...) the last value is taken to be right. The
+case's own value is compared only if it is among those given. Each run starts from 0.orig if
+the case has it, otherwise from 0, after blockMesh and setExprFields if the case has their
+dictionaries. Finished runs are kept: the same command continues after an interruption.
 
     accuracyCost tutorials/capsule/shear --vary cells=24,32,48 --vary harmonics=8,12,16
     accuracyCost mine --vary deltaT=2e-3,1e-3,5e-4 --quantity inclination --budget 30min
 
-What can be varied, coarse values first or in any order:
+Settings that can be varied, coarse values first or in any order:
     any entry of constant/scene, where the case has that file (dt, cells, ...)
     cells           along the first direction of blockMeshDict, the others in proportion
     deltaT, maxCo                              in system/controlDict
@@ -35,7 +36,8 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from caseRuns import Failed, NotOfTheCase, OutOfTime, Runs, atOneTime, change, clock, copyCase, die, guarded, percent, readOptions
 
-# Larger is finer, or smaller is; others are compared with the last value given
+# Settings of which larger values are finer, and smaller ones; other settings are compared
+# with the last value given
 finerUp = {"cells", "harmonics", "segments"}
 finerDown = {"deltaT", "dt", "maxCo", "markerSpacing", "maxDeltaT"}
 words = {"nearField": ["off", "auto", "on"], "accuracy": ["draft", "standard", "reference"]}
@@ -58,7 +60,7 @@ def ordered(name, values):
 
 
 def limitOf(name, levels):
-    """The value that a setting goes to, how sure that is, and how it was found.
+    """Limit of a setting, its uncertainty, and how it was found.
     levels: (setting, value of the quantity), coarse to fine."""
     fine = levels[-1][1]
     if name not in finerUp | finerDown:
@@ -66,18 +68,18 @@ def limitOf(name, levels):
     numbers = [number(v) for v, _ in levels]
     if len(levels) < 2:
         return fine, math.nan, "one value only"
-    # Two that agree by chance are no more sure than the third says
+    # Two values that agree by chance are no more certain than the third shows
     change = max([abs(fine - levels[-2][1])] + [abs(levels[-2][1] - l[1]) / 4 for l in levels[-3:-2]])
     if len(levels) >= 3 and None not in numbers:
         h = [x if name in finerDown else 1 / x for x in numbers[-3:]]
         d1, d2 = levels[-3][1] - levels[-2][1], levels[-2][1] - fine
         if d2 != 0 and d1 / d2 > 1:
-            # d1/d2 = (h0^p - h1^p)/(h1^p - h2^p) by bisection; an order larger than of
-            # any of the methods is chance, or too coarse a first value
+            # d1/d2 = (h0^p - h1^p)/(h1^p - h2^p) by bisection. An order above that of all
+            # methods is chance, or due to a first value that is too coarse
             f = lambda p: (h[0]**p - h[1]**p) / (h[1]**p - h[2]**p) - d1 / d2
             low, high = 0.3, 3.0
             if f(high) <= 0:
-                # Then as sure as of second order
+                # Uncertainty as for second order
                 return fine, abs(d1) * h[2]**2 / (h[0]**2 - h[1]**2), "the finest, order 3 or more"
             if f(low) < 0:
                 for _ in range(80):
@@ -122,7 +124,7 @@ def main():
     os.makedirs(options.out, exist_ok=True)
     runs = Runs(options)
 
-    # Coarse and cheap first, the settings in turn
+    # Coarse and cheap runs first, the settings in turn
     jobs = [("base", [])] + [
         ("%s=%s" % (name, values[k]), [(name, values[k])])
         for k in range(max(map(len, knobs.values()))) for name, values in knobs.items() if k < len(values)]
@@ -146,7 +148,7 @@ def main():
         (results if result else failures)[job[0]] = result or failure
 
     runs.endWithSignals()
-    # Names and values that no run can take, before the first
+    # Check names and values before the first run
     trial = os.path.join(options.out, "runs", "trial")
     for name, values in knobs.items():
         shutil.rmtree(trial, ignore_errors=True)
@@ -195,7 +197,7 @@ def main():
     for name, (limit, sure, how, levels) in limits.items():
         print("    %-12s changes the case's value by %s up to its limit (%s, sure to %s)" % (
             name, percent(abs(base["value"] - limit) / scale), how, percent(sure / scale)))
-        # No value is better than the limit is sure: others agree with it by chance
+        # Errors are at least the uncertainty of the limit
         errorOf = lambda value: max(abs(value - limit), sure) / scale
         choices = [("as it is", errorOf(base["value"]), 1.0)]
         for v, r in levels:

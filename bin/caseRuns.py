@@ -1,5 +1,5 @@
 """Runs of copies of a case with other settings, for accuracyCost and effectPrice: options,
-changes of entries, runs that are kept for the next command, and what they came to."""
+changes of entries, runs kept for the next command, and their results."""
 import argparse
 import glob
 import hashlib
@@ -28,11 +28,11 @@ class Failed(Exception):
 
 
 class NotOfTheCase(Failed):
-    """What was asked for is wrong, or too little time: the case may be right."""
+    """The request is wrong, or there is too little time: the case may be right."""
 
 
 class OutOfTime(NotOfTheCase):
-    """The budget: the same command with a larger one goes on."""
+    """The budget is used up: the same command with a larger one continues."""
 
 
 def percent(share):
@@ -135,7 +135,7 @@ def copyCase(case, folder):
 
 
 def fingerprint(case):
-    """Of what a run starts from: 0 or 0.orig, constant and system, but for the mesh."""
+    """Digest of the files that a run starts from: 0 or 0.orig, constant and system, without the mesh."""
     sums = hashlib.sha256()
     for start in ("0.orig" if os.path.isdir(case + "/0.orig") else "0", "constant", "system"):
         for path, folders, files in os.walk(os.path.join(case, start)):
@@ -157,7 +157,7 @@ class Runs:
         self.fingerprint = fingerprint(self.case)
 
     def endWithSignals(self):
-        """Programs do not outlive a signal."""
+        """A signal ends the programs that were started, too."""
         def stop(*_):
             for process in list(self.running):
                 os.killpg(process.pid, signal.SIGKILL)
@@ -186,7 +186,7 @@ class Runs:
             rows = [line.split() for line in open(file) if line[0] != "#"]
             wanted = [self.quantity] if self.quantity else quantities
             if "velocity" in wanted and rows:
-                # Where a body goes
+                # Mean velocity of a body
                 ways = [n for n in names if re.fullmatch("velocity[XYZ]", n)]
                 ways.sort(key=lambda n: -abs(float(rows[-1][names.index(n)])))
                 wanted = wanted[:3] + ways[:1] + wanted[4:]
@@ -206,7 +206,7 @@ class Runs:
             self.quantity, " of group " + self.group if self.group else "", " ".join(dict.fromkeys(seen))))
 
     def run(self, label, settings):
-        """Result of one run with settings (name, value), from an earlier command or made now."""
+        """Result of one run with settings (name, value), from an earlier command or a new run."""
         changes = self.always + settings
         folder = os.path.join(self.out, "runs", re.sub(r"[^A-Za-z0-9_.=+-]", "_", label))
         record = os.path.join(folder, "done.json")
@@ -215,7 +215,7 @@ class Runs:
             if (result["changes"], result.get("case")) == ([list(c) for c in changes], self.fingerprint):
                 return dict(result, **self.read(folder))
         taken = self.once(folder, changes)
-        # Of short runs the quickest of three: a busy machine slows each by chance
+        # Short runs: the fastest of three, as other jobs slow down single runs
         again = folder + "~"
         for _ in range(2 if taken < 1 and self.left() > 10 * taken else 0):
             more = self.once(again, changes)
@@ -232,9 +232,9 @@ class Runs:
         return dict(result, **self.read(folder))
 
     def placesOfCase(self):
-        """The random places of the case as it stands, by seedBodies: of each group with a
-        placement its dictionary and file. All runs start from these: on another mesh the same
-        seed may give other places."""
+        """Random positions of the case as it stands, by seedBodies: dictionary and file of each
+        group with a placement. All runs start from these positions, as the same seed may give
+        others on another mesh."""
         if self.places is None:
             self.places = {}
             bodies = os.path.join(self.case, "constant/deformableBodies")
@@ -270,7 +270,7 @@ class Runs:
         for name, value in changes:
             change(folder, name, value)
         if os.path.isdir(folder + "/0.orig"):
-            # Fields of the case may be those of another mesh
+            # Fields of the case may belong to another mesh
             shutil.rmtree(folder + "/0", ignore_errors=True)
             shutil.copytree(folder + "/0.orig", folder + "/0")
         solver = (dictionary(folder + "/system/controlDict", "-entry", "application", "-value") or "").strip()
@@ -299,13 +299,13 @@ class Runs:
                 raise Failed("%s stopped: %s (%s)" % (
                     program, "; ".join(filter(None, map(str.strip, found[1].splitlines()))) if found
                     else "status %d" % status, log.name))
-        # In hundredths
+        # Unit: 1/100
         times = re.findall(r"ExecutionTime = ([0-9.]+) s", text)
         return max(0.01, float(times[-1])) if times else math.nan
 
 
 def atOneTime(results):
-    """The values of all runs at the last time that all of them have samples of."""
+    """Values of all runs at the last time of which all have samples."""
     common = None
     for r in results:
         times = {round(t, 12): t for t in r["values"]}
@@ -319,8 +319,8 @@ def atOneTime(results):
 
 
 def readOptions(tool, description, add=lambda parser: None):
-    """Options that the tools have in common, and those that add(parser) adds; what is wrong
-    with the common ones ends the program."""
+    """Options common to the tools, and those that add(parser) adds. Wrong common options end
+    the program."""
     parser = argparse.ArgumentParser(prog=tool, description=description,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("case", help="folder of a case that runs")
@@ -347,7 +347,7 @@ def readOptions(tool, description, add=lambda parser: None):
 
 
 def guarded(main):
-    """A reader of the output that goes away is no error to speak of."""
+    """Run main; a reader of the output that closes the pipe is no error."""
     try:
         main()
     except BrokenPipeError:

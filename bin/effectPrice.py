@@ -1,10 +1,10 @@
-"""What each effect of a case costs, and what leaving it out would change.
+"""Cost of each effect of a case, and the change of the result without it.
 
 Runs a copy of the case as it stands, reads the table of effects from its log, and then
-runs copies without one effect at a time (the case itself is not touched). Printed and
-written to <out>/effectPrice.csv are for each effect: seconds of a step by the run's own
-clocks, seconds that the run without it is shorter by, and what a quantity of the bodies at
-the end changes by. Runs that are done are kept: after a kill the same command goes on.
+runs copies without one effect at a time (the case itself is not touched). For each effect
+it prints, and writes to <out>/effectPrice.csv: seconds of a step by the timers of the run,
+seconds by which a run without the effect is shorter, and the change of a quantity of the
+bodies at the end. Finished runs are kept: the same command continues after an interruption.
 
     effectPrice tutorials/capsule/nucleated
     effectPrice mine --quantity inclination --budget 30min
@@ -31,7 +31,7 @@ def value(folder, file, entry):
 
 
 def ways(folder):
-    """What can be left out: effect in the table of the log, what it is called here, changes."""
+    """Effects that can be left out: name in the table of the log, name here, changes."""
     found = []
     for group in keys(folder, bodiesFile, "bodies"):
         at = "bodies/" + group
@@ -68,7 +68,7 @@ def ways(folder):
 
 
 def table(log):
-    """Names of the effects that are active, and of those that are skipped, from the log."""
+    """Names of the active and of the skipped effects, from the log."""
     block = re.search(r"Effects of this scene\n(.*?)\n\n", open(log).read(), re.S)
     if not block:
         raise Failed("the log has no table of effects: does the case have bodies?")

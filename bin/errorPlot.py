@@ -4,8 +4,8 @@ from matplotlib import ticker
 
 def drawErrors(axis, rows, baseSeconds, unit, fontsize, label="{setting}"):
     """rows of accuracyCost.csv (setting, value, result, error, seconds, how its limit was found),
-    in order; errors times unit. The finest value is hollow: its error is how sure the limit is.
-    What is drawn after it must not set the scales again, which would undo the ticks."""
+    in order; errors times unit. The finest value is hollow: its error is the uncertainty of the
+    limit. Later drawings must not set the scales again, as this would remove the ticks."""
     least = 1e-8 * unit
     for setting in dict.fromkeys(r[0] for r in rows):
         own = [r for r in rows if r[0] == setting]
