@@ -126,22 +126,22 @@ Foam::sphericalHarmonics::sphericalHarmonics(const int degree, int nTheta)
 
     // Order of the coefficients of one m: first degrees that are symmetric about the equator
     // (n - m even), then antisymmetric ones
-    int at = 0, atP = 0;
+    int next = 0, nextP = 0;
     for (int m = 0; m <= N; ++m)
     {
-        first_.push_back(at);
-        firstP_.push_back(atP);
-        at += (N - m + 1) * (m ? 2 : 1);
-        atP += (N - m + 1) * padded_;
+        first_.push_back(next);
+        firstP_.push_back(nextP);
+        next += (N - m + 1) * (m ? 2 : 1);
+        nextP += (N - m + 1) * padded_;
     }
 
     // P_nm, normalised over cos(theta); all n and m of one latitude at a time
-    p_.resize(atP);
-    dp_.resize(atP);
-    mp_.resize(atP);
+    p_.resize(nextP);
+    dp_.resize(nextP);
+    mp_.resize(nextP);
     for (std::vector<double>* table : {&tt_, &tp_, &pp_})
     {
-        table->resize(atP);
+        table->resize(nextP);
     }
     RowMatrix P = RowMatrix::Zero(N + 2, N + 2); // (n, m)
     for (int i = 0; i < half_; ++i)

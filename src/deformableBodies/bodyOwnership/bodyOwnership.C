@@ -150,14 +150,14 @@ void Foam::bodyOwnership::migrate(PtrList<bodyGroup>& groups)
     neighbours_.exchange(out, in);
     for (const scalarField& from : in)
     {
-        for (label at = 0; at < from.size();)
+        for (label cursor = 0; cursor < from.size();)
         {
-            const label g = label(from[at]), body = label(from[at + 1]),
-                        size = label(from[at + 2]);
-            groups[g].insert(body,
-                             scalarList(SubList<scalar>(from, size, at + 3)),
-                             dictionary::null);
-            at += 3 + size;
+            const label g = label(from[cursor]), body = label(from[cursor + 1]),
+                        size = label(from[cursor + 2]);
+            groups[g].insert(
+                body, scalarList(SubList<scalar>(from, size, cursor + 3)),
+                dictionary::null);
+            cursor += 3 + size;
         }
     }
 }

@@ -70,8 +70,8 @@ void Foam::bodyPicture::write(const UList<label>& numbers,
         return [&bodies, nPoints, k](const label i)
         {
             const fields& b = bodies[i / nPoints];
-            const label at = i % nPoints;
-            return vector(b[k][at], b[k + 1][at], b[k + 2][at]);
+            const label pointi = i % nPoints;
+            return vector(b[k][pointi], b[k + 1][pointi], b[k + 2][pointi]);
         };
     };
     const auto scalars = [&](const label k)

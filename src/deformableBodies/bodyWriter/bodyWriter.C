@@ -184,11 +184,11 @@ Foam::bodySurface Foam::bodyWriter::surface(const bodyGroup& group,
     bodySurface s(group.surface(i));
     if (!wrapInto_) return s;
     const vector L(wrapInto_->length());
-    const vector at(group.centre(i) - wrapInto_->origin());
+    const vector position(group.centre(i) - wrapInto_->origin());
     for (direction d = 0; d < 3; ++d)
     {
         if (!wrapInto_->periodic(d)) continue;
-        const scalar shift = L[d] * std::floor(at[d] / L[d]);
+        const scalar shift = L[d] * std::floor(position[d] / L[d]);
         for (point& x : s.points)
         {
             x[d] -= shift;
@@ -261,15 +261,15 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
     forAll(groups_, g)
     {
         const bodyGroup& group = groups_[g];
-        const labelList& mine = group.mine();
+        const labelList& local = group.mine();
         bodySurface layout;
-        if (mine.size()) layout = group.surface(0);
+        if (local.size()) layout = group.surface(0);
         const label nPoints =
             returnReduce(layout.points.size(), maxOp<label>());
         if (nPoints == 0) continue; // all bodies have been removed
         shareLayout(group, layout);
         List<labelList> ofRanks(Pstream::nProcs());
-        ofRanks[Pstream::myProcNo()] = mine;
+        ofRanks[Pstream::myProcNo()] = local;
         Pstream::gatherList(ofRanks);
         labelList owner(group.nBodies(), -1); // -1: removed body
         forAll(ofRanks, proci)
@@ -287,16 +287,16 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
 
         // About 20,000 points per piece. Scheduled sends end when they are received, so that
         // no rank runs ahead of the master, which writes
-        const label nTogether = max(label(1), 20000 / nPoints);
+        const label nPerPiece = max(label(1), 20000 / nPoints);
         label next = 0;
-        for (label first = 0; first < owner.size(); first += nTogether)
+        for (label first = 0; first < owner.size(); first += nPerPiece)
         {
-            const label end = min(first + nTogether, owner.size());
+            const label end = min(first + nPerPiece, owner.size());
             DynamicList<label> which;
             DynamicList<bodyPicture::fields> some;
-            for (; next < mine.size() && mine[next] < end; ++next)
+            for (; next < local.size() && local[next] < end; ++next)
             {
-                which.append(mine[next]);
+                which.append(local[next]);
                 some.append(bodyPicture::pack(surface(group, next)));
             }
             if (!Pstream::master())

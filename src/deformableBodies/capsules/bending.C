@@ -37,17 +37,17 @@ void Foam::bending::each(const sphericalHarmonics& grid, const derivatives& d,
                          Point point)
 {
     const label n = grid.nPoints();
-    const auto at = [n](const std::vector<double>& v, const label k)
+    const auto vectorAt = [n](const std::vector<double>& v, const label k)
     { return vector(v[k], v[n + k], v[2 * n + k]); };
 
     pointGeometry g;
     for (label k = 0; k < n; ++k)
     {
-        g.x[0] = at(d.t, k);
-        g.x[1] = at(d.p, k);
-        g.H[0][0] = at(d.tt, k);
-        g.H[0][1] = g.H[1][0] = at(d.tp, k);
-        g.H[1][1] = at(d.pp, k);
+        g.x[0] = vectorAt(d.t, k);
+        g.x[1] = vectorAt(d.p, k);
+        g.H[0][0] = vectorAt(d.tt, k);
+        g.H[0][1] = g.H[1][0] = vectorAt(d.tp, k);
+        g.H[1][1] = vectorAt(d.pp, k);
         const vector area(g.x[0] ^ g.x[1]);
         g.J = mag(area);
         g.n = area / g.J;

@@ -55,8 +55,7 @@ void Foam::capsuleNearField::setTaper(const scalar degree)
 }
 
 const Foam::capsuleNearField::pointSum&
-Foam::capsuleNearField::placePoints(const double* x,
-                                    std::vector<vector>& X) const
+Foam::capsuleNearField::setPoints(const double* x, std::vector<vector>& X) const
 {
     const auto place = [&](const pointSum& s) -> const pointSum&
     {
@@ -83,7 +82,7 @@ void Foam::capsuleNearField::forces(const double* x, const double* load,
                                     std::vector<vector>& X,
                                     std::vector<vector>& F) const
 {
-    forcesAt(placePoints(x, X).points, load, F);
+    forcesAt(setPoints(x, X).points, load, F);
 }
 
 void Foam::capsuleNearField::forcesAt(const surfacePoints& points,
@@ -108,7 +107,7 @@ std::vector<double> Foam::capsuleNearField::inSlowFlow(const double* x,
                                                        const others& more) const
 {
     std::vector<vector> X, F;
-    const pointSum& used = placePoints(x, X);
+    const pointSum& used = setPoints(x, X);
     forcesAt(used.points, load, F);
     std::vector<vector> u(X.size());
     used.sum.velocity(X.data(), F.data(), X.size(), u.data());

@@ -86,11 +86,11 @@ class starSurface
             {
                 continue;
             }
-            const point at(surface_.localPoints()[e[0]]);
+            const point corner(surface_.localPoints()[e[0]]);
             refuseFile("has triangles that turn different ways, numbers " +
                        Foam::name(first) + " and " + Foam::name(second) +
-                       " at (" + Foam::name(at.x()) + ' ' + Foam::name(at.y()) +
-                       ' ' + Foam::name(at.z()) +
+                       " at (" + Foam::name(corner.x()) + ' ' +
+                       Foam::name(corner.y()) + ' ' + Foam::name(corner.z()) +
                        "): surfaceOrient makes them turn the same way");
         }
     }
@@ -130,7 +130,7 @@ public:
     }
 
     //- Point of the surface in the direction e from the centre, relative to the centre
-    point at(const vector& e) const
+    point pointAlong(const vector& e) const
     {
         List<List<pointIndexHit>> met;
         search_.findLineAll(pointField(1, centre_),
@@ -267,7 +267,7 @@ std::vector<double> Foam::initialShape(const dictionary& dict,
             return coeffs;
         }
         const starSurface surface(dict);
-        make([&](const vector& e) { return surface.at(e); });
+        make([&](const vector& e) { return surface.pointAlong(e); });
     }
     else
     {

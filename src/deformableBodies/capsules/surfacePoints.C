@@ -42,7 +42,7 @@ void Foam::surfacePoints::values(const double* coeffs, vector* v) const
     grid_.values(coeffs, onGrid_.data());
     for (label k = 0; k < size(); ++k)
     {
-        v[k] = at(onGrid_, k);
+        v[k] = value(onGrid_, k);
     }
 }
 
@@ -53,7 +53,7 @@ void Foam::surfacePoints::areas(const double* coeffs, vector* dS) const
     grid_.gradient(coeffs, xt_.data(), xp_.data());
     for (label k = 0; k < size(); ++k)
     {
-        dS[k] = weights_[k] * (at(xt_, k) ^ at(xp_, k));
+        dS[k] = weights_[k] * (value(xt_, k) ^ value(xp_, k));
     }
 }
 

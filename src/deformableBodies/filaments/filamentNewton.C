@@ -52,7 +52,7 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
         const filament& f = *lines[min(l, n - 1)];
         forAll(f.X_, i)
         {
-            setPlace(l, i, f.X_[i]);
+            setPosition(l, i, f.X_[i]);
         }
         forAll(f.T_, i)
         {
@@ -90,7 +90,7 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
     {
         for (int l = 0; l < Lanes && first_->held(i); ++l)
         {
-            setPlace(l, i, lines[min(l, n - 1)]->heldPlace(i, dt));
+            setPosition(l, i, lines[min(l, n - 1)]->heldPlace(i, dt));
         }
     }
 
@@ -168,24 +168,24 @@ void Foam::filamentNewton<Lanes>::addBending()
     const scalar ds = first_->all_->ds();
     const scalar stiffness = first_->all_->rigidity / pow3(ds);
     first_->bends(
-        [&](const scalar weight, const label k, const label* at,
+        [&](const scalar weight, const label k, const label* nodes,
             const scalar* factor)
         {
             const scalar w = weight * stiffness;
-            vectors force = factor[0] * node(x_, at[0]) +
+            vectors force = factor[0] * node(x_, nodes[0]) +
                             factor[1] * node(x_, k) +
-                            factor[2] * node(x_, at[2]);
+                            factor[2] * node(x_, nodes[2]);
             if (k == 0) force -= 2 * ds * clamp_[0];
             if (k == N_) force += 2 * ds * clamp_[1];
             for (int a = 0; a < 3; ++a)
             {
-                node(right_, at[a]) -= w * factor[a] * force;
+                node(right_, nodes[a]) -= w * factor[a] * force;
                 for (int b = 0; b < 3; ++b)
                 {
-                    if (at[a] > at[b]) continue;
+                    if (nodes[a] > nodes[b]) continue;
                     for (direction d = 0; d < 3; ++d)
                     {
-                        newA_(4 * at[a] + d, 4 * at[b] + d) +=
+                        newA_(4 * nodes[a] + d, 4 * nodes[b] + d) +=
                             w * factor[a] * factor[b];
                     }
                 }
@@ -304,7 +304,7 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
 
     const filament::properties& all = *lines[0]->all_;
     const scalar ds = all.ds();
-    lanes before = lanes::Constant(sqr(ds));
+    lanes lastChange = lanes::Constant(sqr(ds));
     mask going, done = mask::Constant(false), fresh = mask::Constant(true);
     for (int l = 0; l < Lanes; ++l)
     {
@@ -339,11 +339,11 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
         const lanes change = largest / sqr(ds);
         const mask converged =
             (fresh && change < 1e-16) ||
-            (!fresh && change * (largest / before).min(scalar(1)) < 1e-24);
+            (!fresh && change * (largest / lastChange).min(scalar(1)) < 1e-24);
         done = done || (going && converged);
         going = going && !done;
-        fresh = going && largest > 0.01 * before;
-        before = largest.max(sqr(1e-15 * ds));
+        fresh = going && largest > 0.01 * lastChange;
+        lastChange = largest.max(sqr(1e-15 * ds));
     }
 
     std::array<bool, Lanes> advanced{};

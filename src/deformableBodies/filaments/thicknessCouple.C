@@ -35,7 +35,8 @@ Foam::thicknessCouple::thicknessCouple(const label segments, const scalar ds,
                       h)
 {
     const scalar apart = segments * ds / stations_;
-    own_ = 1.5 * sqr(radius_ / h) * ownShear(kernel, apart / h) / (mu * apart);
+    ownShear_ =
+        1.5 * sqr(radius_ / h) * ownShear(kernel, apart / h) / (mu * apart);
 }
 
 Foam::scalar Foam::thicknessCouple::ownShear(const deltaKernel& kernel,
@@ -47,7 +48,7 @@ Foam::scalar Foam::thicknessCouple::ownShear(const deltaKernel& kernel,
 }
 
 Foam::thicknessCouple::frame
-Foam::thicknessCouple::at(const vectorField& X, const label station) const
+Foam::thicknessCouple::frameAt(const vectorField& X, const label station) const
 {
     frame f;
     f.t = X[first(station + 1)] - X[first(station)];
@@ -71,7 +72,7 @@ void Foam::thicknessCouple::markers(const vectorField& X, List<frame>& frames,
     frames.setSize(stations_);
     forAll(frames, j)
     {
-        frames[j] = at(X, j);
+        frames[j] = frameAt(X, j);
         const vector centre(0.5 * (X[first(j)] + X[first(j + 1)]));
         for (const vector& e : frames[j].e)
         {
@@ -94,15 +95,15 @@ void Foam::thicknessCouple::shear(const List<frame>& frames,
             return std::accumulate(&couples[first(j)],
                                    couples.cdata() + first(j + 1), 0.0);
         };
-        const scalar own = F ? own_ * sum(K_) / sum(K) : 0;
-        vector here(Zero);
+        const scalar own = F ? ownShear_ * sum(K_) / sum(K) : 0;
+        vector gradient(Zero);
         for (const vector& e : f.e)
         {
             scalar u = *U++ & f.t;
             if (F) u -= own * (*F++ & f.t);
-            here += 2.0 / 3 / radius_ * u * e;
+            gradient += 2.0 / 3 / radius_ * u * e;
         }
-        std::fill(&g[first(j)], g.data() + first(j + 1), here);
+        std::fill(&g[first(j)], g.data() + first(j + 1), gradient);
     }
 }
 

@@ -23,9 +23,9 @@ Foam::deltaKernel::deltaKernel(const dictionary& dict)
 void Foam::deltaKernel::weights(const label n, const scalar* position,
                                 scalar* lowest, scalar* const weight[4]) const
 {
-    using places = Eigen::Map<Eigen::ArrayXd>;
+    using values = Eigen::Map<Eigen::ArrayXd>;
     const Eigen::Map<const Eigen::ArrayXd> x(position, n);
-    places first(lowest, n), w0(weight[0], n), w1(weight[1], n),
+    values first(lowest, n), w0(weight[0], n), w1(weight[1], n),
         w2(weight[2], n), w3(weight[3], n);
     if (type_ == Roma3)
     {
@@ -57,8 +57,8 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
                                            last + scalar(0.5));
     const label nPoints = this->nPoints();
     scalar lowestPoint, weight[4];
-    scalar* const places[4] = {weight, weight + 1, weight + 2, weight + 3};
-    weights(1, &position, &lowestPoint, places);
+    scalar* const pointers[4] = {weight, weight + 1, weight + 2, weight + 3};
+    weights(1, &position, &lowestPoint, pointers);
     const label lowest = label(lowestPoint);
 
     if (lowest >= (periodic ? 0 : first) &&
@@ -67,7 +67,7 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
         s.size = nPoints;
         for (label k = 0; k < nPoints; ++k)
         {
-            s.at[k] = lowest + k;
+            s.index[k] = lowest + k;
             s.weight[k] = weight[k];
         }
         return;
@@ -88,7 +88,7 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
             cut = true;
             continue;
         }
-        s.at[s.size] = i;
+        s.index[s.size] = i;
         s.weight[s.size] = weight[k];
         ++s.size;
     }
@@ -98,7 +98,7 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
     scalar s0 = 0, s1 = 0, s2 = 0;
     for (label k = 0; k < s.size; ++k)
     {
-        const scalar r = s.at[k] - position, w = s.weight[k];
+        const scalar r = s.index[k] - position, w = s.weight[k];
         s0 += w;
         s1 += w * r;
         s2 += w * r * r;
@@ -111,7 +111,7 @@ void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
     scalar sum = 0;
     for (label k = 0; k < s.size; ++k)
     {
-        s.weight[k] *= a + b * (s.at[k] - position);
+        s.weight[k] *= a + b * (s.index[k] - position);
         sum += s.weight[k];
     }
     // Normalise: the sum, and so the force, is exact to round-off even if det is small

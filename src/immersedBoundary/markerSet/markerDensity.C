@@ -41,17 +41,17 @@ struct binsOfDirection
     }
 
     //- Position of a coordinate [m] in cells from the first layer of this rank
-    scalar place(const scalar coordinate) const
+    scalar position(const scalar coordinate) const
     {
         const scalar x = (coordinate - origin) * perCell - lo;
         if (!periodic || (x >= -below && x < n - below)) return x;
         return x - n * std::floor((x + below) / n);
     }
 
-    label bin(const scalar place) const
+    label bin(const scalar cells) const
     {
-        if (!whole) return clamped(label((place + 3) * scale));
-        const label b = place < 0 ? -1 : label(place * scale);
+        if (!whole) return clamped(label((cells + 3) * scale));
+        const label b = cells < 0 ? -1 : label(cells * scale);
         if (!periodic) return clamped(b);
         return b < 0 ? nBins - 1 : b % nBins;
     }
@@ -75,7 +75,7 @@ private:
 //  the line if that is folded (negative otherwise), next marker in the bin (negative: none)
 struct markerOfLine
 {
-    scalar at[3];
+    scalar position[3];
     label line, number, next;
 
     bool folded() const { return number >= 0; }
@@ -108,12 +108,12 @@ class markerBins
     //  direction, indices and positions of the candidates. Bins with no other line are
     //  skipped unless the line is folded
     label line_ = -1, near_[3][2] = {};
-    std::vector<label> around_;
-    alignedVector<scalar> at_[3];
+    std::vector<label> candidates_;
+    alignedVector<scalar> positions_[3];
 
     //- Share of each candidate, padded to whole vectors; candidates whose share is not zero
     alignedVector<scalar> share_;
-    std::vector<label> seen_;
+    std::vector<label> counted_;
 
     label binOf(const label i, const label j, const label k) const
     {
@@ -129,7 +129,7 @@ class markerBins
             for (int side = 0; side < 2; ++side)
             {
                 const label b = bins_[d].bin(
-                    m.at[d] + (2 * side - 1) * markerSet::lineReach);
+                    m.position[d] + (2 * side - 1) * markerSet::lineReach);
                 same = same && near_[d][side] == b;
                 near_[d][side] = b;
             }
@@ -155,23 +155,23 @@ class markerBins
                 }
             }
         }
-        around_.clear();
+        candidates_.clear();
         for (label b = 0; b < nChosen; ++b)
         {
             for (label k = contents_[chosen[b]].first; k >= 0; k = all_[k].next)
             {
-                around_.push_back(k);
+                candidates_.push_back(k);
             }
         }
-        share_.resize((around_.size() + 7) / 8 * 8);
-        if (around_.empty()) return;
-        seen_.resize(around_.size());
+        share_.resize((candidates_.size() + 7) / 8 * 8);
+        if (candidates_.empty()) return;
+        counted_.resize(candidates_.size());
         for (direction d = 0; d < 3; ++d)
         {
-            at_[d].resize(share_.size());
-            for (size_t i = 0; i < around_.size(); ++i)
+            positions_[d].resize(share_.size());
+            for (size_t i = 0; i < candidates_.size(); ++i)
             {
-                at_[d][i] = all_[around_[i]].at[d];
+                positions_[d][i] = all_[candidates_[i]].position[d];
             }
         }
     }
@@ -192,11 +192,11 @@ public:
             if (m.line < 0) continue;
             for (direction d = 0; d < 3; ++d)
             {
-                m.at[d] = bins_[d].place(X[k][d]);
+                m.position[d] = bins_[d].position(X[k][d]);
             }
-            binContent& c =
-                contents_[binOf(bins_[0].bin(m.at[0]), bins_[1].bin(m.at[1]),
-                                bins_[2].bin(m.at[2]))];
+            binContent& c = contents_[binOf(bins_[0].bin(m.position[0]),
+                                            bins_[1].bin(m.position[1]),
+                                            bins_[2].bin(m.position[2]))];
             c.line = c.first < 0 || c.line == m.line ? m.line : -1;
             m.next = c.first;
             c.first = k;
@@ -211,7 +211,7 @@ public:
         scalar squares = 0;
         for (direction d = 0; d < 3; ++d)
         {
-            squares += sqr(bins_[d].distance(a.at[d], b.at[d]));
+            squares += sqr(bins_[d].distance(a.position[d], b.position[d]));
         }
         return std::sqrt(squares);
     }
@@ -229,21 +229,22 @@ public:
         {
             const auto along = [&](const direction d)
             {
-                const scalar away = bins_[d].distance(m.at[d], at_[d][i]);
+                const scalar away =
+                    bins_[d].distance(m.position[d], positions_[d][i]);
                 return std::max(scalar(0),
                                 1 - away * (1 / markerSet::lineReach));
             };
             share[i] = along(0) * along(1) * along(2);
         }
-        label nSeen = 0;
-        for (size_t i = 0; i < around_.size(); ++i)
+        label nCounted = 0;
+        for (size_t i = 0; i < candidates_.size(); ++i)
         {
-            seen_[nSeen] = i; // no branch, as in lookAround()
-            nSeen += share[i] > 0;
+            counted_[nCounted] = i; // no branch, as in lookAround()
+            nCounted += share[i] > 0;
         }
-        for (label k = 0; k < nSeen; ++k)
+        for (label k = 0; k < nCounted; ++k)
         {
-            visit(all_[around_[seen_[k]]], share[seen_[k]]);
+            visit(all_[candidates_[counted_[k]]], share[counted_[k]]);
         }
     }
 };
@@ -287,9 +288,9 @@ Foam::scalarField Foam::markerSet::linesHere(const UList<vector>& X,
 void Foam::markerSet::closeLines(const UList<vector>& X, const labelUList& line,
                                  const visitor& visit) const
 {
-    const UList<vector>& here = copies_.here();
-    markerBins bins(grid_, here, linesHere(X, line, false));
-    forAll(here, k)
+    const UList<vector>& local = copies_.here();
+    markerBins bins(grid_, local, linesHere(X, line, false));
+    forAll(local, k)
     {
         const markerOfLine& m = bins[k];
         if (m.line < 0 || !copies_.holds(k)) continue;
@@ -300,7 +301,7 @@ void Foam::markerSet::closeLines(const UList<vector>& X, const labelUList& line,
                           const scalar distance = bins.distance(m, other);
                           if (distance < lineReach)
                           {
-                              visit(m.line, other.line, here[k], distance);
+                              visit(m.line, other.line, local[k], distance);
                           }
                       });
     }
@@ -310,12 +311,12 @@ void Foam::markerSet::lineDensity(const UList<vector>& X,
                                   const labelUList& line, const bool mayFold,
                                   scalarField& density) const
 {
-    const UList<vector>& here = copies_.here();
-    markerBins bins(grid_, here, linesHere(X, line, mayFold));
+    const UList<vector>& local = copies_.here();
+    markerBins bins(grid_, local, linesHere(X, line, mayFold));
 
-    scalarField others(here.size(), Zero);
+    scalarField others(local.size(), Zero);
     std::vector<std::pair<label, scalar>> touched; // line, largest share
-    forAll(here, k)
+    forAll(local, k)
     {
         // The rank that holds the cell knows all markers around it
         const markerOfLine& m = bins[k];

@@ -59,7 +59,7 @@ void Foam::markerSet::sort()
 
     // Position of marker k in cells of the box, wrapped in periodic directions
     const vector perH(cmptDivide(vector::one, grid_.h()));
-    const auto placeOf = [&](const label k)
+    const auto inCells = [&](const label k)
     {
         vector x(cmptMultiply(X()[k] - grid_.origin(), perH));
         for (direction d = 0; d < 3; ++d)
@@ -76,47 +76,47 @@ void Foam::markerSet::sort()
     // Call visit(position) for each periodic image that reaches the block
     const auto eachImage = [&](const vector& x, auto visit)
     {
-        scalar at[3][3];
+        scalar reached[3][3];
         int count[3] = {0, 0, 0};
         for (direction d = 0; d < 3; ++d)
         {
             const int images = grid_.periodic(d) ? 1 : 0;
             for (int image = -images; image <= images; ++image)
             {
-                const scalar there = x[d] + image * scalar(grid_.n()[d]);
-                if (there > box.lo[d] - kernel_.reach() &&
-                    there < box.lo[d] + box.size[d] - 0.5 + kernel_.reach())
+                const scalar shifted = x[d] + image * scalar(grid_.n()[d]);
+                if (shifted > box.lo[d] - kernel_.reach() &&
+                    shifted < box.lo[d] + box.size[d] - 0.5 + kernel_.reach())
                 {
-                    at[d][count[d]++] = there;
+                    reached[d][count[d]++] = shifted;
                 }
             }
         }
         for (int i = 0; i < count[0]; ++i)
             for (int j = 0; j < count[1]; ++j)
                 for (int k = 0; k < count[2]; ++k)
-                    visit(vector(at[0][i], at[1][j], at[2][k]));
+                    visit(vector(reached[0][i], reached[1][j], reached[2][k]));
     };
 
     const label ofClipped = nBunches, ofCut = nBunches + 1;
-    labelList start(nBunches + 3, Zero), in(n);
-    vectorField place(n);
+    labelList start(nBunches + 3, Zero), bin(n);
+    vectorField position(n);
     for (label k = 0; k < n; ++k)
     {
-        const vector& x = place[k] = placeOf(k);
+        const vector& x = position[k] = inCells(k);
         if (isWithin(x, from, to))
         {
-            in[k] = label(x.y() - box.lo.y()) / bunch_ +
-                    perLayer * layerOfBunches(x);
-            ++start[in[k] + 1];
+            bin[k] = label(x.y() - box.lo.y()) / bunch_ +
+                     perLayer * layerOfBunches(x);
+            ++start[bin[k] + 1];
         }
         else if (wide && isWithin(x, wallFree[0], wallFree[1]))
         {
-            in[k] = ofClipped;
+            bin[k] = ofClipped;
             eachImage(x, [&](const vector&) { ++start[ofClipped + 1]; });
         }
         else
         {
-            in[k] = ofCut;
+            bin[k] = ofCut;
             ++start[ofCut + 1];
         }
     }
@@ -127,19 +127,19 @@ void Foam::markerSet::sort()
     nWhole_ = start[ofClipped];
     nClipped_ = start[ofCut] - nWhole_;
     sorted_.resize(start.last());
-    at_.resize(start.last());
+    positions_.resize(start.last());
     for (label k = 0; k < n; ++k)
     {
         const auto put = [&](const vector& x)
         {
-            const label to = start[in[k]]++;
+            const label to = start[bin[k]]++;
             sorted_[to] = k;
-            at_[to] = x;
+            positions_[to] = x;
         };
-        if (in[k] == ofClipped)
-            eachImage(place[k], put);
+        if (bin[k] == ofClipped)
+            eachImage(position[k], put);
         else
-            put(place[k]);
+            put(position[k]);
     }
 }
 

@@ -36,13 +36,13 @@ struct Foam::markerSet::weightBatch
 
     weightBatch(const markerSet& markers, const label begin, const label size)
     {
-        const label all =
-            (size + 7) / 8 * 8; // whole vectors on any machine
+        const label all = (size + 7) / 8 * 8; // whole vectors on any machine
         for (direction d = 0; d < 3; ++d)
         {
             for (label k = 0; k < all; ++k)
             {
-                const scalar x = markers.at_[begin + min(k, size - 1)][d];
+                const scalar x =
+                    markers.positions_[begin + min(k, size - 1)][d];
                 position[d][k] = x;
                 position[d + 3][k] = x - 0.5;
             }
@@ -67,17 +67,17 @@ struct Foam::markerSet::weightBatch
                                markers.rowSize(d);
             for (label k = 0; k < size; ++k)
             {
-                const label at = label(lowest[i][k]),
-                            to = max(first, min(at, last));
-                if (to == at) continue;
+                const label index = label(lowest[i][k]),
+                            shifted = max(first, min(index, last));
+                if (shifted == index) continue;
                 const scalar w[4] = {weight[0][i][k], weight[1][i][k],
                                      weight[2][i][k], weight[3][i][k]};
                 for (label j = 0; j < 4; ++j)
                 {
-                    const label from = j + to - at;
+                    const label from = j + shifted - index;
                     weight[j][i][k] = from >= 0 && from < 4 ? w[from] : 0;
                 }
-                lowest[i][k] = to;
+                lowest[i][k] = shifted;
             }
         }
     }
@@ -87,7 +87,7 @@ struct Foam::markerSet::weightBatch
 //  the six sets; weight 0 for a point that is not in the block
 struct Foam::markerSet::cutMarker
 {
-    label at[6][4];
+    label index[6][4];
     scalar weight[6][4];
 };
 
@@ -99,7 +99,7 @@ struct Foam::markerSet::cutRows
     const scalar* weightX;
     bool inLine;
     int count;
-    std::ptrdiff_t at[17];
+    std::ptrdiff_t offset[17];
     scalar weight[17];
 };
 
@@ -118,8 +118,8 @@ void Foam::markerSet::cut(const weightBatch& w, const label marker,
             s.size = nPoints;
             for (label k = 0; k < nPoints; ++k)
             {
-                const label at = lowest + k;
-                s.at[k] = (at % n + n) % n;
+                const label index = lowest + k;
+                s.index[k] = (index % n + n) % n;
                 s.weight[k] = w.weight[k][i][marker];
             }
         }
@@ -133,12 +133,12 @@ void Foam::markerSet::cut(const weightBatch& w, const label marker,
             // Indices relative to the block of this rank. A point without weight is put
             // after the one before, so that the row can be loaded as one vector
             const bool exists = k < s.size;
-            const label at = exists   ? s.at[k] - grid_.box().lo[d]
-                             : k == 0 ? 0
-                                      : c.at[i][k - 1] + 1;
-            const bool here = at >= 0 && at < grid_.box().size[d];
-            c.at[i][k] = here ? at : 0;
-            c.weight[i][k] = here && exists ? s.weight[k] : 0;
+            const label index = exists   ? s.index[k] - grid_.box().lo[d]
+                                : k == 0 ? 0
+                                         : c.index[i][k - 1] + 1;
+            const bool inBlock = index >= 0 && index < grid_.box().size[d];
+            c.index[i][k] = inBlock ? index : 0;
+            c.weight[i][k] = inBlock && exists ? s.weight[k] : 0;
         }
     }
 }
@@ -148,8 +148,8 @@ void Foam::markerSet::cut(const weightBatch& w, const label marker,
 // Call visit(marker, component, first point, strides to the next row and layer, factor of
 // the field, weights along x, y and z) for whole or clipped markers. Both ends of each row
 // are prefetched eight markers ahead, as the rows are scattered in memory
-template<int n, class Places, class Visit>
-void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
+template<int n, class Fields, class Visit>
+void Foam::markerSet::eachWhole(const List<Fields>& fields, const label begin,
                                 const label end, Visit visit) const
 {
     if (fields.empty()) return;
@@ -159,7 +159,7 @@ void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
         const label size = min(most, end - b);
         weightBatch w(*this, b, size);
         if (begin >= nWhole_) w.clip(*this, size);
-        for (const Places& v : fields)
+        for (const Fields& v : fields)
         {
             const std::ptrdiff_t row = v.row, layer = v.layer;
             const labelVector& lo = grid_.box().lo;
@@ -223,8 +223,8 @@ void Foam::markerSet::eachWhole(const List<Places>& fields, const label begin,
 
 // Call visit(marker, component, first point of the field, rows, factor of the field) for all
 // cut markers
-template<int n, class Places, class Visit>
-void Foam::markerSet::eachCut(const List<Places>& fields, Visit visit) const
+template<int n, class Fields, class Visit>
+void Foam::markerSet::eachCut(const List<Fields>& fields, Visit visit) const
 {
     if (fields.empty()) return;
     const label all = label(sorted_.size());
@@ -241,18 +241,18 @@ void Foam::markerSet::eachCut(const List<Places>& fields, Visit visit) const
                 const int x = d == 0 ? 0 : 3, y = d == 1 ? 1 : 4,
                           z = d == 2 ? 2 : 5;
                 cutRows rows;
-                rows.x = c.at[x];
+                rows.x = c.index[x];
                 rows.weightX = c.weight[x];
-                rows.inLine = c.at[x][3] == c.at[x][0] + 3;
-                for (const Places& v : fields)
+                rows.inLine = c.index[x][3] == c.index[x][0] + 3;
+                for (const Fields& v : fields)
                 {
                     const std::ptrdiff_t row = v.row, layer = v.layer;
                     rows.count = 0;
                     for (int j = 0; j < n * n; ++j)
                     {
                         const int k = j / n, l = j % n;
-                        rows.at[rows.count] =
-                            row * c.at[y][l] + layer * c.at[z][k];
+                        rows.offset[rows.count] =
+                            row * c.index[y][l] + layer * c.index[z][k];
                         rows.weight[rows.count] =
                             c.weight[y][l] * c.weight[z][k];
                         rows.count += rows.weight[rows.count] != 0;
@@ -302,7 +302,7 @@ void Foam::markerSet::gatherCut(const List<staggeredView>& u,
                    fourValues sum = {};
                    for (int j = 0; j < rows.count; ++j)
                    {
-                       const scalar* p = first + rows.at[j];
+                       const scalar* p = first + rows.offset[j];
                        const label* x = rows.x;
                        sum += rows.weight[j] *
                               (rows.inLine ? fourAt(p + x[0])
@@ -349,7 +349,7 @@ void Foam::markerSet::scatterCut(const UList<vector>& F,
                        factor * F[marker][d] * fourAt(rows.weightX);
                    for (int j = 0; j < rows.count; ++j)
                    {
-                       scalar* p = first + rows.at[j];
+                       scalar* p = first + rows.offset[j];
                        const fourValues values = rows.weight[j] * value;
                        if (rows.inLine)
                        {
@@ -378,7 +378,8 @@ void Foam::markerSet::sweepAll(const UList<vector>& F,
                                UList<vector>& U) const
 {
     static_assert(bunch_ >= 4, "forces come after values");
-    const auto layerOf = [&](const label k) { return layerOfBunches(at_[k]); };
+    const auto layerOf = [&](const label k)
+    { return layerOfBunches(positions_[k]); };
     const label all = nWhole_ + nClipped_;
     scatterCut<n>(F, f);
     scatterWhole<n>(F, f, nWhole_, all);

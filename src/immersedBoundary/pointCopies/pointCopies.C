@@ -33,16 +33,16 @@ void Foam::pointCopies::place(const UList<vector>& X, const label margin)
     }
 
     // Most points are far from other ranks and need no search
-    const boundBox alone(neighbours_.near(margin).alone);
-    DynamicList<label> others;
-    DynamicList<vector> there;
+    const boundBox inner(neighbours_.near(margin).alone);
+    DynamicList<label> outer;
+    DynamicList<vector> outerPoints;
     forAll(X, k)
     {
-        if (alone.contains(X[k])) continue;
-        others.append(k);
-        there.append(X[k]);
+        if (inner.contains(X[k])) continue;
+        outer.append(k);
+        outerPoints.append(X[k]);
     }
-    const List<labelVector> cells(neighbours_.cover(there, margin));
+    const List<labelVector> cells(neighbours_.cover(outerPoints, margin));
     const blockNeighbours::table& reached = neighbours_.near(margin);
     const label nRanks = neighbours_.ranks().size();
     to_.setSize(nRanks);
@@ -51,7 +51,7 @@ void Foam::pointCopies::place(const UList<vector>& X, const label margin)
         k.clear();
     }
     label next = 0;
-    const auto onlyHereUpTo = [&](const label end)
+    const auto keepUpTo = [&](const label end)
     {
         for (; next < end; ++next)
         {
@@ -59,13 +59,13 @@ void Foam::pointCopies::place(const UList<vector>& X, const label margin)
         }
         ++next;
     };
-    forAll(others, i)
+    forAll(outer, i)
     {
-        onlyHereUpTo(others[i]);
+        keepUpTo(outer[i]);
         neighbours_.each(reached, cells[i],
-                         [&](const label r) { to_[r].append(others[i]); });
+                         [&](const label r) { to_[r].append(outer[i]); });
     }
-    onlyHereUpTo(X.size());
+    keepUpTo(X.size());
     labelList sizes(nRanks);
     forAll(to_, i)
     {
@@ -88,34 +88,35 @@ bool Foam::pointCopies::holds(const label k) const
     return !Pstream::parRun() || neighbours_.holder(X_[k]) == neighbours_.me();
 }
 
-Foam::blockNeighbours::values Foam::pointCopies::parts(scalar* here,
+Foam::blockNeighbours::values Foam::pointCopies::parts(scalar* local,
                                                        const label n) const
 {
     blockNeighbours::values all;
     forAll(to_, i)
     {
-        all.emplace_back(here + n * first_[i], n * (first_[i + 1] - first_[i]));
+        all.emplace_back(local + n * first_[i],
+                         n * (first_[i + 1] - first_[i]));
     }
     return all;
 }
 
 void Foam::pointCopies::handOut(const scalar* own, const label n,
-                                scalar* here) const
+                                scalar* local) const
 {
-    blockNeighbours::values in(parts(here, n)), out;
+    blockNeighbours::values in(parts(local, n)), out;
     List<scalarField> sent(to_.size());
     forAll(to_, i)
     {
-        const bool mine = i == neighbours_.me();
-        if (!mine) sent[i].setSize(n * to_[i].size());
-        out.push_back(mine ? in[i] : sent[i]);
-        scalar* at = out[i].data();
+        const bool toSelf = i == neighbours_.me();
+        if (!toSelf) sent[i].setSize(n * to_[i].size());
+        out.push_back(toSelf ? in[i] : sent[i]);
+        scalar* value = out[i].data();
         ofNumbers(n,
                   [&](const auto n)
                   {
                       for (const label k : to_[i])
                           for (label c = 0; c < n; ++c)
-                              *at++ = own[n * k + c];
+                              *value++ = own[n * k + c];
                   });
     }
     neighbours_.exchange(out, in);
@@ -128,31 +129,31 @@ Foam::scalarField Foam::pointCopies::handOut(const scalar* own,
     {
         return scalarField(UList<scalar>(const_cast<scalar*>(own), n * nOwn_));
     }
-    scalarField here(n * first_.last());
-    handOut(own, n, here.data());
-    return here;
+    scalarField local(n * first_.last());
+    handOut(own, n, local.data());
+    return local;
 }
 
-void Foam::pointCopies::addUp(const scalarField& here, const label n,
+void Foam::pointCopies::addUp(const scalarField& local, const label n,
                               scalar* own) const
 {
     if (!Pstream::parRun())
     {
         for (label k = 0; k < n * nOwn_; ++k)
         {
-            own[k] += here[k];
+            own[k] += local[k];
         }
         return;
     }
     const blockNeighbours::values out(
-        parts(const_cast<scalar*>(here.cdata()), n));
+        parts(const_cast<scalar*>(local.cdata()), n));
     blockNeighbours::values in;
     List<scalarField> received(to_.size());
     forAll(to_, i)
     {
-        const bool mine = i == neighbours_.me();
-        if (!mine) received[i].setSize(n * to_[i].size());
-        in.push_back(mine ? out[i] : received[i]);
+        const bool toSelf = i == neighbours_.me();
+        if (!toSelf) received[i].setSize(n * to_[i].size());
+        in.push_back(toSelf ? out[i] : received[i]);
     }
     neighbours_.exchange(out, in);
     forAll(to_, i)

@@ -129,10 +129,9 @@ TEST(BodyCollection, aRegionHasItsOwnPlace)
     // The restart file of the region is read again
     const bodyCollection again(box.mesh(), true);
     EXPECT_EQ(again.save().states[0].size(), 1);
-    for (const fileName& dir :
-         {state.path(), root / "constant" / region,
-          root / "postProcessing" / region,
-          root / "postProcessing" / "VTK" / region})
+    for (const fileName& dir : {state.path(), root / "constant" / region,
+                                root / "postProcessing" / region,
+                                root / "postProcessing" / "VTK" / region})
     {
         rmDir(dir);
     }

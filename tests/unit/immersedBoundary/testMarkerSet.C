@@ -134,8 +134,8 @@ TEST_P(MarkerSet, interpolatesAsTheKernelSays)
                 {
                     for (label c = 0; c < s[2].size; ++c)
                     {
-                        const labelVector ijk(s[0].at[a], s[1].at[b],
-                                              s[2].at[c]);
+                        const labelVector ijk(s[0].index[a], s[1].index[b],
+                                              s[2].index[c]);
                         sum += s[0].weight[a] * s[1].weight[b] *
                                s[2].weight[c] *
                                test::noise(test::facePoint(grid(), ijk, d), d);

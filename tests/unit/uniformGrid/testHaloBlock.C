@@ -90,14 +90,13 @@ TEST(HaloBlock, fillsFaces)
                 }
                 if (under + over == 0) continue;
                 const label q = halo.place(l);
-                wrong += below[q] != (under + over == 1 && under ? all[0][q]
-                                                                 : GREAT);
+                wrong += below[q] !=
+                         (under + over == 1 && under ? all[0][q] : GREAT);
                 for (direction d = 0; d < 3; ++d)
                 {
                     wrong += parts[d][q] !=
-                             (under + over == 1 && over && last == d
-                                  ? all[d][q]
-                                  : GREAT);
+                             (under + over == 1 && over && last == d ? all[d][q]
+                                                                     : GREAT);
                 }
             }
         }

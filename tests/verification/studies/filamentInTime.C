@@ -19,8 +19,8 @@ struct schemeScene
     vectorField force; // force per length
     bool ramp;         // force grows gradually
     vector clamp;
-    scalar scale;      // period of the motion of the tip
-    scalar end, dt;    // end of the run, and largest step
+    scalar scale;   // period of the motion of the tip
+    scalar end, dt; // end of the run, and largest step
 };
 
 //- Scenes: release from straight, chain in its first mode, beam loaded at its tip with half

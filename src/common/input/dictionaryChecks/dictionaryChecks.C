@@ -19,7 +19,8 @@ void Foam::checkEntries(const dictionary& dict, const wordList& allowed)
             firstRankSpeaks();
             FatalIOErrorInFunction(dict)
                 << "unknown entry " << key << " in " << dict.name() << nl
-                << "    allowed: " << oneOf(allowed).c_str() << exit(FatalIOError);
+                << "    allowed: " << oneOf(allowed).c_str()
+                << exit(FatalIOError);
         }
     }
 }

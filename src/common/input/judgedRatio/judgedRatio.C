@@ -46,8 +46,8 @@ void Foam::judge(const dictionary& dict, const List<judgedRatio>& ratios)
             IOWarningInFunction(dict)
                 << "entry " << r.entry << ": " << value.c_str()
                 << ", recommended: "
-                << rangeOf(r.recommendedLeast, r.recommendedMost).c_str() << ": "
-                << r.reason.c_str() << endl;
+                << rangeOf(r.recommendedLeast, r.recommendedMost).c_str()
+                << ": " << r.reason.c_str() << endl;
         }
     }
 }
