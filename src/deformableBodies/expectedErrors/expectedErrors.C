@@ -159,7 +159,7 @@ void Foam::judgeErrors(const List<expectedErrors>& errors, const scalar wanted,
             if (least >= wanted)
                 remedies = "; nothing brings it below " + percent(least);
             else if (remedies.empty())
-                remedies = "; to change one of them is not enough";
+                remedies = "; no single change is sufficient";
             Info << endl;
             refuse(dict, "accuracy", Foam::name(wanted),
                    Foam::name(1e-4 * std::ceil(1e4 * sum)) +
@@ -191,8 +191,7 @@ void Foam::judgeIndicators(const word& group,
     {
         if (i.value <= i.limit) continue;
         WarningInFunction << "group " << group << ": " << i.name.c_str()
-                          << " is " << i.value
-                          << ", and a run that is resolved has less than "
+                          << " is " << i.value << ", recommended: at most "
                           << i.limit << nl << "    Change " << i.remedy.c_str()
                           << endl;
     }

@@ -131,7 +131,7 @@ void Foam::fluidViscosity::compare(const PtrList<bodyGroup>& groups)
     body = firstOf(furthest == most ? body : string::null);
     WarningInFunction
         << "viscosity at " << body.c_str() << " m^2/s at time "
-        << mesh_.time().timeName() << ", bodies reckon with " << value_ << " ("
+        << mesh_.time().timeName() << ", bodies use " << value_ << " ("
         << source_.c_str() << ")" << nl
         << "    Near field, stabilised motion and the numbers of the log are "
            "wrong "

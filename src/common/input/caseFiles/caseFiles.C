@@ -83,13 +83,13 @@ string wrongBrackets(ISstream& is)
         if (c != token::END_BLOCK && c != token::END_LIST) continue;
         if (open.empty() || open.back() != c)
         {
-            return "line " + Foam::name(is.lineNumber()) + " closes with " +
-                   string(1, c) + " what is not open";
+            return "line " + Foam::name(is.lineNumber()) + " has " +
+                   string(1, c) + " without an opening bracket";
         }
         open.pop_back();
     }
     if (open.empty()) return "";
-    return "it ends where " + string(1, open.back()) + " is still to come";
+    return string(1, open.back()) + " is missing at its end";
 }
 
 //- wrongBrackets, or the reason why OpenFOAM cannot read a token
@@ -103,7 +103,7 @@ string wrongTokens(ISstream& is)
     }
     catch (const IOerror& error)
     {
-        wrong = is.eof() ? string("it ends where a value is still incomplete")
+        wrong = is.eof() ? string("a value is incomplete at its end")
                          : error.message();
     }
     FatalIOError.throwExceptions(throwing);
@@ -178,7 +178,7 @@ void Foam::requireFinishedTime(const polyMesh& mesh, const wordList& fields)
     if (!times.found(time.timeName()))
     {
         refuse(time.controlDict(), "startTime", time.timeName(),
-               "the times that there are, " + oneOf(times));
+               "existing times, " + oneOf(times));
     }
     FatalErrorInFunction
         << "time " << time.timeName() << " is unfinished, as there is no file "

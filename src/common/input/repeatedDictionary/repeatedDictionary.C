@@ -113,10 +113,11 @@ void Foam::refuseRepeated(const dictionary& dict, const fileName& file)
     Pstream::scatter(repeated);
     Pstream::scatter(what);
     if (repeated.empty()) return;
-    refuse(dict, repeated, what,
-           what == "two values"
-               ? "one: of two with the same name OpenFOAM takes one without a "
-                 "word"
-               : "one: of two with the same name OpenFOAM would make one; give "
-                 "the second another name");
+    refuse(
+        dict, repeated, what,
+        what == "two values"
+            ? "one: OpenFOAM uses one of two values of the same name without "
+              "a message"
+            : "one: OpenFOAM merges two dictionaries of the same name; give "
+              "the second another name");
 }

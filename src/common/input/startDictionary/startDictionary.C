@@ -28,10 +28,10 @@ bool Foam::startDictionary::readIfModified()
     {
         WarningInFunction
             << "file " << objectPath().c_str()
-            << " has changed, or one that it includes: it is read at the "
+            << ", or a file that it includes, has changed: it is read at the "
             << "start only, and " << who_.c_str()
-            << " with what it had then. Stop and start again from a written "
-            << "time to use the new entries" << endl;
+            << " with the old entries. Stop and restart from a written time "
+            << "to use the new ones" << endl;
     }
     said_ = true;
     return false;
