@@ -5,6 +5,7 @@
 #include "bodyPlaces.H"
 #include "dictionaryChecks.H"
 #include "mathematicalConstants.H"
+#include "periodicBox.H"
 #include "pointBins.H"
 #include "segmentDistance.H"
 
@@ -135,7 +136,6 @@ void Foam::bodyPlaces::checkStart(const dictionary& dict) const
     }
     if (bodies.size() < 2) return;
 
-    const vector L(grid_.length());
     const pointBins bins(grid_, 2 * largest, bodies.size());
     List<DynamicList<label>> inBin(bins.count());
     forAll(bodies, b)
@@ -148,14 +148,8 @@ void Foam::bodyPlaces::checkStart(const dictionary& dict) const
     string error, warning;
     const auto judgePair = [&](const startingBody& a, const startingBody& b)
     {
-        vector apart(b.centre - a.centre), image(Zero);
-        for (direction d = 0; d < 3; ++d)
-        {
-            if (grid_.periodic(d))
-            {
-                image[d] = -L[d] * std::round(apart[d] / L[d]);
-            }
-        }
+        vector apart(b.centre - a.centre);
+        const vector image(shift(grid_, apart));
         apart += image;
         if (mag(apart) >= a.radius + b.radius) return;
         const bodyGroup &g = groups_[a.group], &k = groups_[b.group];

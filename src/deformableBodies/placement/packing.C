@@ -1,27 +1,8 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "packing.H"
-#include "closePairs.H"
 #include "cpuTime.H"
 #include "segmentDistance.H"
-#include "transform.H"
-
-// (between opposite vectors rotationTensor returns a mirror)
-Foam::tensor Foam::turnTo(const vector& direction)
-{
-    if (direction.z() < -1 + 1e-12) return tensor(1, 0, 0, 0, -1, 0, 0, 0, -1);
-    return rotationTensor(vector(0, 0, 1), direction);
-}
-
-Foam::point Foam::intoBox(const uniformGrid& grid, point x)
-{
-    for (direction d = 0; d < 3; ++d)
-    {
-        const scalar L = grid.length()[d], above = x[d] - grid.origin()[d];
-        if (grid.periodic(d)) x[d] -= L * std::floor(above / L);
-    }
-    return x;
-}
 
 namespace
 {
