@@ -37,15 +37,15 @@ int main(int argc, char* argv[])
     label nFiles = 0;
     for (const bodyGroup& group : bodies.groups())
     {
-        if (!group.placedAtRandom()) continue;
+        if (!group.start().atRandom) continue;
         const fileName file(runTime.constantPath() / mesh.dbDir() /
                             group.name() + "Places");
         OFstream os(file);
         os.precision(17);
         os << "// Where the bodies of group " << group.name()
            << " are at the start, by seedBodies" << nl << nl;
-        os.writeEntry("positions", group.positions());
-        os.writeEntry("directions", group.directions());
+        os.writeEntry("positions", group.start().positions);
+        os.writeEntry("directions", group.start().directions);
         if (!os.good())
         {
             FatalErrorInFunction << "cannot write " << file.c_str()

@@ -108,7 +108,8 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
                            "step",
                            true);
         }
-        guard_->check(stepGuard::CourantNo(phi), [&]() { trouble_.any = true; });
+        guard_->check(stepGuard::CourantNo(phi),
+                      [&]() { trouble_.any = true; });
     }
     if (!empty()) system_.grid.toStaggered(phi, u);
     moveWithVelocity(u, force);
@@ -116,8 +117,9 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
     {
         // No more is known of diffusion in the solver
         moveWithPrediction(velocityPrediction::ofLastStep(
-            u, system_.grid.diffusionNumber(system_.nu->value(),
-                                            time.deltaTValue()),
+            u,
+            system_.grid.diffusionNumber(system_.nu->value(),
+                                         time.deltaTValue()),
             force));
         if (mustStop()) stop();
         system_.grid.toFlux(force, *forceFlux_);

@@ -28,7 +28,7 @@ Foam::bodyLimits::errors(const flowScales& flow) const
     List<expectedErrors> all(system_.groups.size());
     forAll(system_.groups, g)
     {
-        all[g] = system_.groups[g].errors(flow);
+        all[g] = system_.groups[g].report().errors(flow);
         if (usesPimple_ && system_.groups[g].twoWay())
         {
             all[g].parts.push_back(

@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "bodyMotion.H"
+#include "directForcing.H"
 
 namespace
 {
@@ -93,9 +94,9 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p,
             system_.markers->spread(forceBefore,
                                     perMass(p.force[i], forceBefore));
         }
-        system_.markers->spreadAndInterpolate(
-            forceBefore, perMass(p.force[0], forceBefore), p.after(fraction),
-            markers.U);
+        system_.markers->spreadAndInterpolate(forceBefore,
+                                              perMass(p.force[0], forceBefore),
+                                              p.after(fraction), markers.U);
     }
     else
     {
@@ -115,8 +116,8 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p,
     }
 }
 
-Foam::bodyMotion::markerValues
-Foam::bodyMotion::place(const labelUList& groups, const scalar dt)
+Foam::bodyMotion::markerValues Foam::bodyMotion::place(const labelUList& groups,
+                                                       const scalar dt)
 {
     const auto timing(system_.effects.time("interpolation"));
     const forcingType forcing = system_.groups[groups[0]].forcing();
@@ -132,7 +133,7 @@ Foam::bodyMotion::place(const labelUList& groups, const scalar dt)
         group.markers(markers.X.data() + first, dt);
         if (haveLines)
         {
-            group.lines(line.data() + first);
+            refCast<directForcing>(group).lines(line.data() + first);
             for (label k = first; k < first + n; ++k)
             {
                 if (line[k] >= 0) line[k] += firstLine;
@@ -162,7 +163,7 @@ void Foam::bodyMotion::recordSlip(const staggeredView& u)
         group.markers(X.data(), 0);
         system_.markers->place(X);
         system_.markers->interpolate({u}, U);
-        group.recordSlip(U.cdata());
+        refCast<directForcing>(group).recordSlip(U.cdata());
     }
 }
 
@@ -224,9 +225,8 @@ void Foam::bodyMotion::spreadLoads(staggeredField& faces) const
     system_.markers->spread(markers.F, faces);
 }
 
-Foam::staggeredTarget
-Foam::bodyMotion::perMass(const staggeredTarget& force,
-                          const vectorField& F) const
+Foam::staggeredTarget Foam::bodyMotion::perMass(const staggeredTarget& force,
+                                                const vectorField& F) const
 {
     staggeredTarget target(force);
     target.factor /= system_.rho;
@@ -249,15 +249,16 @@ void Foam::bodyMotion::updateViscosity(const labelUList& groups)
     {
         const bodyGroup& group = system_.groups[g];
         const label n = group.nMarkers();
+        const enclosedFluid* fluid = group.inside();
         const scalar around =
-            group.host() < 0 ? 1 : system_.groups[group.host()].viscosityRatio();
-        const scalar more = group.viscosityRatio() - around;
+            group.host() < 0 ? 1 : group.hostGroup().inside()->viscosityRatio();
+        const scalar more = fluid ? fluid->viscosityRatio() - around : 0;
         if (more != 0 && group.twoWay())
         {
             SubField<vector> dS(G, n, first);
-            group.areas(dS.data());
+            fluid->areas(dS.data());
             dS *= -more;
-            excess += more * group.volume();
+            excess += more * fluid->volume();
         }
         first += n;
     }

@@ -74,7 +74,7 @@ void Foam::bodyOutput::finish() const
     Info << "Error indicators at the end (largest over the bodies)" << nl;
     for (const bodyGroup& group : system_.groups)
     {
-        judgeIndicators(group.name(), group.indicators());
+        judgeIndicators(group.name(), group.report().indicators());
     }
     Info << endl;
     if (system_.interactions) system_.interactions->judge();

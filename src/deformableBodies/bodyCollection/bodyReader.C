@@ -8,9 +8,9 @@
 
 Foam::bodyReader::bodyReader(const IOdictionary& dict, bodySystem& system)
     : dict_(dict),
-      transport_(IOobject("transportProperties",
-                          system.mesh.time().constant(), system.mesh,
-                          IOobject::MUST_READ, IOobject::NO_WRITE, false)),
+      transport_(IOobject("transportProperties", system.mesh.time().constant(),
+                          system.mesh, IOobject::MUST_READ, IOobject::NO_WRITE,
+                          false)),
       system_(system)
 {
 }
@@ -22,8 +22,8 @@ void Foam::bodyReader::read()
     readFluid();
     system_.neighbours.reset(new blockNeighbours(system_.grid));
     system_.ownership.reset(new bodyOwnership(*system_.neighbours));
-    system_.markers.reset(new markerSet(system_.grid, deltaKernel(dict_),
-                                        *system_.neighbours));
+    system_.markers.reset(
+        new markerSet(system_.grid, deltaKernel(dict_), *system_.neighbours));
     system_.accuracy = bodyAccuracy(dict_);
     const bodyScene around(scene());
     readGroups(around);
@@ -172,10 +172,10 @@ void Foam::bodyReader::declareCoupling() const
         inFluid ? deltaKernel::names[system_.markers->kernel().type()] +
                       " kernel at face centres"
                 : word("coupling none"));
-    system_.effects.declare(
-        "spreading", feedback,
-        !feedback                ? "coupling oneWay or none"
-        : system_.periodicBox() ? "loads act on the fluid, less their mean, "
+    system_.effects.declare("spreading", feedback,
+                            !feedback ? "coupling oneWay or none"
+                            : system_.periodicBox()
+                                ? "loads act on the fluid, less their mean, "
                                   "which nothing holds in a box without walls"
                                 : "loads act on the fluid");
 }
@@ -188,7 +188,9 @@ void Foam::bodyReader::readViscosityRatios()
     bool unfelt = false;
     forAll(ratios, g)
     {
-        const scalar ratio = system_.groups[g].viscosityRatio();
+        const scalar ratio = system_.groups[g].inside()
+                                 ? system_.groups[g].inside()->viscosityRatio()
+                                 : 1;
         if (system_.groups[g].twoWay())
             ratios[g] = ratio;
         else
@@ -261,6 +263,6 @@ void Foam::bodyReader::readInteractions(const bodyScene& scene)
     }
     system_.effects.declare("interactions", !interactions.empty(), reason);
     if (interactions.empty()) return;
-    system_.interactions.reset(new bodyInteractions(
-        interactions, system_.mesh, system_.groups, scene));
+    system_.interactions.reset(new bodyInteractions(interactions, system_.mesh,
+                                                    system_.groups, scene));
 }

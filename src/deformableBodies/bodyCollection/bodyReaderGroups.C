@@ -5,18 +5,35 @@
 #include "dictionaryChecks.H"
 #include "judgedRatio.H"
 #include "nucleusReader.H"
+#include "pairNearField.H"
 
 namespace
 {
 //- Entries that stand beside the dictionary bodies
-const Foam::wordList
-    besideBodies({"sampleInterval", "accuracy", "kernel", "coupling",
-                  "interactions", "loads", "wrap", "restart", "removed",
-                  "outside", "nu"});
+const Foam::wordList besideBodies({"sampleInterval", "accuracy", "kernel",
+                                   "coupling", "interactions", "loads", "wrap",
+                                   "restart", "removed", "outside", "nu"});
 
 //- Characters of a group's name, which becomes a file name
 const char* const nameCharacters =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+.";
+//- The near field of either surface acts on the other; false if one has none
+bool join(Foam::bodyGroup& host, Foam::bodyGroup& nuclei,
+          const Foam::bodyScene& scene)
+{
+    using namespace Foam;
+    const nearSurface* ofHost = host.nearSources();
+    const nearSurface* ofNuclei = nuclei.nearSources();
+    if (!ofHost || !ofNuclei) return false;
+    const scalar h = scene.grid.h().x();
+    const auto mobility =
+        std::make_shared<nearField>(scene.kernel.type(), h, scene.mu, h);
+    host.addCorrection(
+        std::unique_ptr<pairNearField>(new pairNearField(*ofNuclei, mobility)));
+    nuclei.addCorrection(
+        std::unique_ptr<pairNearField>(new pairNearField(*ofHost, mobility)));
+    return true;
+}
 } // namespace
 
 void Foam::bodyReader::readGroups(const bodyScene& scene)
@@ -84,11 +101,11 @@ void Foam::bodyReader::addNuclei(const dictionary& bodies, const word& name,
     const nucleusReader reader(group, system_.groups[host], system_.grid);
     const dictionary nuclei(reader.group());
     bodyScene within(scene);
-    within.mu *= system_.groups[host].viscosityRatio();
+    within.mu *= system_.groups[host].inside()->viscosityRatio();
     within.insideBodies = true;
     system_.groups.append(bodyGroup::New(inside, nuclei, within).ptr());
-    system_.groups.last().putInto(host, system_.groups[host]);
-    if (!system_.groups.last().hasNearPartner())
+    system_.groups.last().setHost(host, system_.groups[host]);
+    if (!join(system_.groups[host], system_.groups.last(), within))
     {
         judge(group,
               {{"nucleus", "gap to the membrane/h",

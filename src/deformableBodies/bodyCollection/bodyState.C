@@ -143,18 +143,16 @@ void Foam::bodyState::read(const IOdictionary& dict)
     {
         bodyGroup& group = system_.groups[g];
         const bool continues = found && !initial[g];
-        if (found && !continues && group.placedAtRandom() && any)
+        if (found && !continues && group.start().atRandom && any)
         {
             refuse(dictionaryOf(g, dict), "placement",
                    "{...} in a group that starts while others go on",
                    "positions: random places know only where the others "
                    "started; or restart initial; for all");
         }
-        system_.ownership->distribute(group,
-                                      continues ? statesOf(group, saved)
-                                                : List<scalarList>(),
-                                      continues ? saved
-                                                : dictionaryOf(g, dict));
+        system_.ownership->distribute(
+            group, continues ? statesOf(group, saved) : List<scalarList>(),
+            continues ? saved : dictionaryOf(g, dict));
         if (time.value() > 0 && !continues)
         {
             Info << "Group " << group.name() << " starts from constant/"

@@ -20,8 +20,7 @@ bool Foam::bodySystem::twoWay() const
     return false;
 }
 
-Foam::labelList
-Foam::bodySystem::groupsThat(const forcingType forcing) const
+Foam::labelList Foam::bodySystem::groupsThat(const forcingType forcing) const
 {
     DynamicList<label> which;
     forAll(groups, g)

@@ -14,7 +14,7 @@ void Foam::bodyOwnership::distribute(bodyGroup& group,
                                          : group.initialCentre(body));
         if (group.host() < 0
                 ? neighbours_.holderOfAll(centre) == Pstream::myProcNo()
-                : group.hasHostOf(body))
+                : group.hostGroup().mine().found(body))
         {
             group.insert(body, state, source);
         }

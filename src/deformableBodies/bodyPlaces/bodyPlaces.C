@@ -2,6 +2,7 @@
 
 #include "bodyPlaces.H"
 #include "dictionaryChecks.H"
+#include "directForcing.H"
 #include "processorPolyPatch.H"
 #include "Time.H"
 #include "wallPolyPatch.H"
@@ -173,7 +174,7 @@ Foam::string Foam::bodyPlaces::removeOrphans()
                 const label body = group.mine()[i];
                 if (there[0][body] && there[1][body]) continue;
                 removed += "Removed at time " + time_.timeName() + ": " +
-                           group.nameOf(i) + " with its " +
+                           group.nameOfBody(group.mine()[i]) + " with its " +
                            (one == g ? "capsule" : "nucleus") + "\n";
                 group.release(i);
             }
@@ -205,7 +206,7 @@ Foam::bodyPlaces::fate Foam::bodyPlaces::removeOutside(string& trouble)
             const fate now = !diverged.empty() ? DIVERGED
                              : isWall          ? PRESSED
                                                : LEFT;
-            const string what(group.nameOf(i) + " reaches through " + where +
+            const string what(group.nameOfBody(group.mine()[i]) + " reaches through " + where +
                               (diverged.empty() ? "" : "; " + diverged));
             if (group.removesOutside() && now != DIVERGED)
             {
@@ -243,9 +244,9 @@ void Foam::bodyPlaces::warnOfWalls()
         string near;
         for (label i = 0; nearWall_[g] && i < group.mine().size(); ++i)
         {
-            const string where(through(group.forcedBounds(i), -0.5));
+            const string where(through(refCast<const directForcing>(group).forcedBounds(i), -0.5));
             if (where.empty()) continue;
-            near = group.nameOf(i) + " is closer than half a cell to " + where;
+            near = group.nameOfBody(group.mine()[i]) + " is closer than half a cell to " + where;
             break;
         }
         wallNamed_[g] = returnReduce(!near.empty(), orOp<bool>());
@@ -280,8 +281,11 @@ void Foam::bodyPlaces::warnOfClose()
         {
             std::fill_n(body.data() + at + i * each, each, group.mine()[i]);
         }
-        // Of fibres only those along the line
-        group.lines(body.data() + at);
+        // Markers of a fibre count along its line only
+        if (group.forcing() != forcingType::none)
+        {
+            refCast<const directForcing>(group).lines(body.data() + at);
+        }
         for (label k = at; k < at + group.nMarkers(); ++k)
         {
             if (!group.twoWay()) body[k] = -1;

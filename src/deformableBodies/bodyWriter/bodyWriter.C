@@ -47,9 +47,9 @@ void Foam::bodyWriter::sample(const scalar now)
     forAll(groups_, g)
     {
         const bodyGroup& group = groups_[g];
-        columns[g] = group.columns();
+        columns[g] = group.report().columns();
         rows[g] = inOrder<scalarList>(group, [&](const label i)
-                                      { return group.sample(i); });
+                                      { return group.report().sample(i); });
         if (group.host() >= 0) addNuclei(columns, rows, g);
     }
     if (Pstream::master() && files_.empty())
@@ -181,7 +181,7 @@ static void shareLayout(const Foam::bodyGroup& group, Foam::bodySurface& layout)
 Foam::bodySurface Foam::bodyWriter::surface(const bodyGroup& group,
                                             const label i) const
 {
-    bodySurface s(group.surface(i));
+    bodySurface s(group.report().surface(i));
     if (!wrapInto_) return s;
     const vector L(wrapInto_->length());
     const vector position(group.centre(i) - wrapInto_->origin());
@@ -263,7 +263,7 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
         const bodyGroup& group = groups_[g];
         const labelList& local = group.mine();
         bodySurface layout;
-        if (local.size()) layout = group.surface(0);
+        if (local.size()) layout = group.report().surface(0);
         const label nPoints =
             returnReduce(layout.points.size(), maxOp<label>());
         if (nPoints == 0) continue; // all bodies have been removed

@@ -1,9 +1,9 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 // The error of D that is to be expected of a capsule, measured in shear with
-// neo-Hookean and Skalak's law at Ca_G 0.0375 to 2 (doc/accuracy-and-cost.md)
+// neo-Hookean and Skalak's law at Ca_G 0.0375 to 2 (doc/choosing.md)
 
-#include "capsuleGroup.H"
+#include "capsuleReport.H"
 #include <cmath>
 
 namespace
@@ -58,59 +58,61 @@ Foam::string number(const Foam::scalar x)
 }
 } // namespace
 
-Foam::label Foam::capsuleGroup::enoughHarmonics(const scalar error) const
+Foam::label Foam::capsuleReport::enoughHarmonics(const scalar error) const
 {
-    label degree = isMeasured() ? 5 : 12;
+    label degree = group_.isMeasured() ? 5 : 12;
     while (ofHarmonics(degree) > error)
         ++degree;
     return degree;
 }
 
-Foam::scalar Foam::capsuleGroup::enoughMarkers(const scalar error) const
+Foam::scalar Foam::capsuleReport::enoughMarkers(const scalar error) const
 {
     return min(1.6, max(0.9, std::pow(error / ofMarkers(1), 1.0 / 6)));
 }
 
-Foam::scalar Foam::capsuleGroup::errorOfCells(const bool nearField) const
+Foam::scalar Foam::capsuleReport::errorOfCells(const bool nearField) const
 {
-    const scalar radius = radius_ / cmptMax(scene_.grid.h());
-    if (!scene_.forceAtFaces || !isMeasured() ||
+    const scalar radius = group_.radius_ / cmptMax(group_.scene_.grid.h());
+    if (!group_.scene_.forceAtFaces || !group_.isMeasured() ||
         radius < leastRadius * (1 - 1e-6) ||
-        !(nearField ? nearFieldKnown_ : sphere_ && viscosityRatio_ == 1))
+        !(nearField ? group_.nearFieldKnown_
+                    : group_.sphere_ && group_.viscosityRatio_ == 1))
     {
         return -1;
     }
-    return nearField ? (viscosityRatio_ == 1 ? 0.003 : 0.007) + nearFieldError_
+    return nearField ? (group_.viscosityRatio_ == 1 ? 0.003 : 0.007) +
+                           group_.nearFieldError_
                      : ofCells(radius);
 }
 
-Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
+Foam::expectedErrors Foam::capsuleReport::errors(const flowScales& flow) const
 {
-    expectedErrors e{name(), "D", {}};
-    const scalar radius = radius_ / cmptMax(scene_.grid.h());
-    if (twoWay())
+    expectedErrors e{group_.name(), "D", {}};
+    const scalar radius = group_.radius_ / cmptMax(group_.scene_.grid.h());
+    if (group_.twoWay())
     {
         string by("a/h " + number(radius) +
-                  (nBodies() > 1 ? ", each as if alone" : ""));
+                  (group_.nBodies() > 1 ? ", each as if alone" : ""));
         std::function<string(scalar)> remedy;
-        if (!scene_.forceAtFaces)
+        if (!group_.scene_.forceAtFaces)
             by += ", force as an average of each cell";
-        else if (!round_)
+        else if (!group_.round_)
             by += ", not measured on such shapes";
-        else if (nucleated_)
+        else if (group_.nucleated_)
             by += ", not measured with a nucleus";
-        else if (scene_.insideBodies)
+        else if (group_.scene_.insideBodies)
             by += ", not measured inside a capsule";
         else if (radius < leastRadius * (1 - 1e-6))
             by += ", not measured below " + number(leastRadius);
-        else if (nearField_)
+        else if (group_.nearField_)
         {
-            by += nearFieldKnown_ ? " with near field"
-                                  : ", near field beyond what is known";
+            by += group_.nearFieldKnown_ ? " with near field"
+                                         : ", near field beyond what is known";
         }
         else
         {
-            by += string(sphere_ ? "" : ", measured on spheres only") +
+            by += string(group_.sphere_ ? "" : ", measured on spheres only") +
                   " without near field, which makes stresses " +
                   number(100 * ofStress(radius)) + " % too high";
             remedy = [this](const scalar left)
@@ -118,29 +120,32 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
                 scalar cells = leastRadius;
                 while (ofCells(cells) > left)
                     cells *= 1.01;
-                return "cells of " + atMost(radius_ / cells) + " m and smaller";
+                return "cells of " + atMost(group_.radius_ / cells) +
+                       " m and smaller";
             };
         }
         e.parts.push_back(
-            {"cells", errorOfCells(bool(nearField_)), by, remedy});
+            {"cells", errorOfCells(bool(group_.nearField_)), by, remedy});
 
-        const scalar Re = scene_.rho * flow.rate * sqr(radius_) / scene_.mu;
-        if (nearField_ && ofInertia(Re, radius) > 1e-3)
+        const scalar Re = group_.scene_.rho * flow.rate * sqr(group_.radius_) /
+                          group_.scene_.mu;
+        if (group_.nearField_ && ofInertia(Re, radius) > 1e-3)
         {
             e.parts.push_back(
-                {"inertia", isMeasured() ? ofInertia(Re, radius) : -1,
+                {"inertia", group_.isMeasured() ? ofInertia(Re, radius) : -1,
                  "Re " + number(Re) + ", of the stress twice that",
                  [=](const scalar left)
                  {
                      return "cells of " +
-                            atMost(radius_ * left /
+                            atMost(group_.radius_ * left /
                                    (radius * ofInertia(Re, radius))) +
                             " m and smaller";
                  }});
         }
     }
-    const label degree = harmonics().degree();
-    e.parts.push_back({"harmonics", isMeasured() ? ofHarmonics(degree) : -1,
+    const label degree = group_.harmonics().degree();
+    e.parts.push_back({"harmonics",
+                       group_.isMeasured() ? ofHarmonics(degree) : -1,
                        "N = " + Foam::name(degree),
                        [=](const scalar left)
                        {
@@ -149,27 +154,31 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
                                       ? "harmonics " + Foam::name(more)
                                       : string();
                        }});
-    e.parts.push_back({"markers", ofMarkers(markerSpacing_),
-                       "up to " + number(markerSpacing_) + " cells apart",
-                       [this](const scalar left)
-                       {
-                           const scalar enough = enoughMarkers(left);
-                           return enough < markerSpacing_ &&
-                                          ofMarkers(enough) <= left * (1 + 1e-9)
-                                      ? "markerSpacing " + atMost(enough)
-                                      : string();
-                       }});
+    e.parts.push_back(
+        {"markers", ofMarkers(group_.markerSpacing_),
+         "up to " + number(group_.markerSpacing_) + " cells apart",
+         [this](const scalar left)
+         {
+             const scalar enough = enoughMarkers(left);
+             return enough < group_.markerSpacing_ &&
+                            ofMarkers(enough) <= left * (1 + 1e-9)
+                        ? "markerSpacing " + atMost(enough)
+                        : string();
+         }});
 
     // Adjusted steps of deformableBodyFoam keep to the limit of explicit motion
-    const membraneModel& law = membrane_->model();
+    const membraneModel& law = group_.membrane_->model();
     const scalar rate = flow.rate;
-    const scalar limit = twoWay() && scene_.forceAtFaces ? maxDeltaT_ : GREAT;
-    const scalar dt = !scene_.adjusted             ? scene_.deltaT
-                      : scene_.deltaT > 0          ? min(scene_.deltaT, limit)
-                      : scene_.accuracy.wanted > 0 ? GREAT // stepFor() chooses
-                                                   : limit;
+    const scalar limit = group_.twoWay() && group_.scene_.forceAtFaces
+                             ? group_.maxDeltaT_
+                             : GREAT;
+    const scalar dt =
+        !group_.scene_.adjusted             ? group_.scene_.deltaT
+        : group_.scene_.deltaT > 0          ? min(group_.scene_.deltaT, limit)
+        : group_.scene_.accuracy.wanted > 0 ? GREAT // stepFor() chooses
+                                            : limit;
     const bool stiffArea =
-        stabilised_ && law.areaModulus() > 4 * law.shearModulus();
+        group_.stabilised_ && law.areaModulus() > 4 * law.shearModulus();
     const bool known = rate > 0 && dt > 0 && dt < GREAT && !stiffArea;
     const auto largest = [rate](const scalar error)
     { return std::sqrt(error / ofStep(1)) / rate; };
@@ -188,11 +197,11 @@ Foam::expectedErrors Foam::capsuleGroup::errors(const flowScales& flow) const
 }
 
 // Of the amplitude of all degrees, that of the two highest
-std::vector<Foam::errorIndicator> Foam::capsuleGroup::indicators() const
+std::vector<Foam::errorIndicator> Foam::capsuleReport::indicators() const
 {
-    const sphericalHarmonics& grid = harmonics();
+    const sphericalHarmonics& grid = group_.harmonics();
     scalar highest = 0, change = 0;
-    for (const capsule& c : capsules_)
+    for (const auto& c : group_.capsules_)
     {
         scalar all = 0, last = 0;
         for (label n = 1; n <= grid.degree(); ++n)
@@ -210,12 +219,14 @@ std::vector<Foam::errorIndicator> Foam::capsuleGroup::indicators() const
             if (n >= grid.degree() - 1) last += square;
         }
         highest = max(highest, std::sqrt(last / all));
-        change = max(change, mag(measure(c.x).volume / referenceVolume_ - 1));
+        change =
+            max(change,
+                mag(group_.measure(c.x).volume / group_.referenceVolume_ - 1));
     }
     return {
         {"highest harmonics", highest, 0.03,
          "entry harmonics to more (on finer cells, where they are as many as "
          "the cells move), or " +
-             smallerSteps() + " if the membrane wrinkles"},
-        {"change of volume", change, 1e-3, smallerSteps()}};
+             smallerSteps(group_.scene_) + " if the membrane wrinkles"},
+        {"change of volume", change, 1e-3, smallerSteps(group_.scene_)}};
 }

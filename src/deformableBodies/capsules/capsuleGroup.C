@@ -3,8 +3,10 @@
 #include "capsuleGroup.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
+#include "capsuleReport.H"
 #include "initialShape.H"
 #include "judgedRatio.H"
+#include "turnTo.H"
 #include <cmath>
 
 namespace Foam
@@ -37,8 +39,11 @@ Foam::scalar volumeOf(const Foam::sphericalHarmonics& grid,
 
 Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                                  const bodyScene& scene)
-    : bodyGroup(name, dict, scene)
+    : bodyGroup(name, dict, scene),
+      report_(new capsuleReport(*this))
 {
+    const groupEntries entries(this->name(), dict, scene_);
+    takesForces_ = twoWay();
     checkEntries(dict,
                  {"type",           "shape",      "positions", "membrane",
                   "directions",     "placement",  "harmonics", "dealiasing",
@@ -66,10 +71,10 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     const label moved = degreeOfMesh(shape);
     const label degree = dict.getOrDefault<label>(
         "harmonics",
-        min(moved, byAccuracy<label>(dict, "harmonics", {12, 16, 24},
-                                     [this](const scalar wanted) {
-                                         return enoughHarmonics(0.15 * wanted);
-                                     })));
+        min(moved, entries.byAccuracy<label>(
+                       "harmonics", {12, 16, 24},
+                       [this](const scalar wanted)
+                       { return report_->enoughHarmonics(0.15 * wanted); })));
     if (degree < 4 || degree > 64)
     {
         refuse(dict, "harmonics", Foam::name(degree), "4 to 64");
@@ -79,17 +84,18 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     {
         refuse(dict, "dealiasing", Foam::name(dealiasing), "1 to 4");
     }
-    const scalar spacing = byAccuracy<scalar>(
-        dict, "markerSpacing", {1.3, 1.1, 0.6},
-        [this](const scalar wanted) { return enoughMarkers(0.1 * wanted); });
+    const scalar spacing = entries.byAccuracy<scalar>(
+        "markerSpacing", {1.3, 1.1, 0.6},
+        [this](const scalar wanted)
+        { return report_->enoughMarkers(0.1 * wanted); });
     if (spacing < 0.1 || spacing > 1.6)
     {
         refuse(dict, "markerSpacing", Foam::name(spacing), "0.1 to 1.6");
     }
 
-    shearPlane_ = readShearPlane(dict);
+    shearPlane_ = entries.shearPlane();
 
-    const bool heavy = readGravity(dict);
+    const bool heavy = entries.gravity();
     if (heavy != dict.found("densityRatio"))
     {
         refuse(dict, "gravity", heavy ? "on" : "off",
@@ -102,8 +108,8 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                "off with coupling oneWay: a capsule that the fluid does not "
                "feel is carried, whatever its weight");
     }
-    addWeight(heavy,
-              heavy ? readPositive(dict, "densityRatio", dimless) - 1 : 0);
+    entries.addWeight(
+        heavy, heavy ? readPositive(dict, "densityRatio", dimless) - 1 : 0);
 
     // The first shape, about the origin, from values on a dense grid
     const sphericalHarmonics fine(degree, 2 * degree + 2);
@@ -243,13 +249,15 @@ void Foam::capsuleGroup::readStart(const dictionary& dict)
     {
         semiAxes = cmptMax(semiAxes) * vector::one;
     }
-    readPlaces(dict, {semiAxes, 0}, volumeOf(grid, shape), 0, axis_);
+    start_ =
+        groupEntries(name(), dict, scene_)
+            .start({semiAxes, 0}, volumeOf(grid, shape), 0, axis_, twoWay());
 }
 
 Foam::tensor Foam::capsuleGroup::turnOf(const label body) const
 {
-    if (directions_.empty()) return tensor::I;
-    return turnTo(directions_[body]) & turnTo(axis_).T();
+    if (start_.directions.empty()) return tensor::I;
+    return turnTo(start_.directions[body]) & turnTo(axis_).T();
 }
 
 void Foam::capsuleGroup::setFilter(const dictionary& dict)
@@ -341,8 +349,8 @@ void Foam::capsuleGroup::insertBody(const label i, const label body)
     }
     for (direction d = 0; d < 3; ++d)
     {
-        c.x[d] +=
-            positions_[body][d] * std::sqrt(4 * constant::mathematical::pi);
+        c.x[d] += start_.positions[body][d] *
+                  std::sqrt(4 * constant::mathematical::pi);
     }
     startAt(c);
     c.velocity.assign(c.x.size(), 0);
@@ -357,7 +365,7 @@ void Foam::capsuleGroup::eraseBody(const label i)
 
 Foam::point Foam::capsuleGroup::initialCentre(const label body) const
 {
-    return positions_[body] +
+    return start_.positions[body] +
            (turnOf(body) & vector(initial_[0], initial_[1], initial_[2])) /
                std::sqrt(4 * constant::mathematical::pi);
 }
@@ -367,7 +375,7 @@ Foam::bodyPoints Foam::capsuleGroup::initialPoints(const label body) const
     bodyPoints p(points(-1));
     p.body = body;
     const tensor turn(turnOf(body));
-    p.places = positions_[body] + (turn & p.places);
+    p.places = start_.positions[body] + (turn & p.places);
     p.areas = turn & p.areas;
     return p;
 }
@@ -424,10 +432,17 @@ void Foam::capsuleGroup::checkStart(const label i, const dictionary& dict) const
                 << length[d] << exit(FatalIOError);
         }
     }
-    checkWalls(dict, body, bounds);
+    groupEntries::checkWalls(dict, scene_.grid, body, bounds);
 }
 
 Foam::scalar Foam::capsuleGroup::volume() const
 {
     return capsules_.size() * referenceVolume_;
+}
+
+Foam::capsuleGroup::~capsuleGroup() {}
+
+const Foam::bodyReport& Foam::capsuleGroup::report() const
+{
+    return *report_;
 }

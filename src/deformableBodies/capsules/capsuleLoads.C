@@ -91,7 +91,7 @@ void Foam::capsuleGroup::recordLoads(const vector* F)
     for (capsule& c : capsules_)
     {
         nearLoad(c, F);
-        setNearForces(c);
+        setNearSources(c);
         F += markers_->size();
     }
 }
@@ -117,15 +117,15 @@ void Foam::capsuleGroup::forcesOnFluid(const label i, const scalar time,
     }
 }
 
-const Foam::bodyGroup::pointForces&
-Foam::capsuleGroup::nearForces(const label i) const
+const Foam::nearSurface::sources&
+Foam::capsuleGroup::nearSources(const label i) const
 {
     return capsules_[i].near;
 }
 
-void Foam::capsuleGroup::setNearForces(capsule& c) const
+void Foam::capsuleGroup::setNearSources(capsule& c) const
 {
-    if (!hasNearPartner() || c.onFluid.empty()) return;
+    if (corrections_.empty() || c.onFluid.empty()) return;
     nearField_->forces(c.x.data(), c.onFluid.data(), c.near.X, c.near.F);
 }
 

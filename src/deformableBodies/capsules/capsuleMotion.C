@@ -2,7 +2,7 @@
 
 // How a capsule moves with the fluid
 
-#include "capsuleGroup.H"
+#include "capsuleReport.H"
 #include "dictionaryChecks.H"
 
 namespace
@@ -119,7 +119,9 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
         never = "coupling oneWay: no load acts on the fluid";
     else if (dict.getOrDefault<word>("motion", "auto") == "penalty")
         never = "motion penalty";
-    const nearFieldEntry entry(readNearField(dict, never, errorOfCells(false)));
+    const groupEntries::nearField entry(
+        groupEntries(name(), dict, scene_)
+            .readNearField(never, report_->errorOfCells(false)));
 
     // Where it is not known to be better
     const scalar h = scene_.grid.h().x();
@@ -193,16 +195,13 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
             {
                 forcesOnFluid(i, s.time - dt, F.data());
                 nearLoad(c, F.cdata());
-                setNearForces(c);
+                setNearSources(c);
             }
             nearField_->add(
                 c.x.data(), c.onFluid.data(), velocity.data(), c.nearMemory,
                 c.lastDeltaT > 0 ? c.lastDeltaT : dt,
                 [&](const std::vector<vector>& X, std::vector<vector>& u)
-                {
-                    if (!hasNearPartner()) return;
-                    addOfPartner(i, X.data(), X.size(), u.data());
-                });
+                { Foam::add(corrections_, i, X.data(), X.size(), u.data()); });
         }
 
         // Zero net flow through the membrane, int U.n dS = 0: the change of
@@ -244,7 +243,7 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
                                   : string("marker velocity is not finite"));
         if (!wrong.empty())
         {
-            trouble = nameOf(i) + ": " + wrong;
+            trouble = nameOfBody(mine()[i]) + ": " + wrong;
             startAt(c);
             continue;
         }
@@ -279,7 +278,7 @@ void Foam::capsuleGroup::startAt(capsule& c) const
     volumeGradient(c.x, c.volumeGradient);
     c.load.resize(c.x.size());
     if (!penalty_ && twoWay()) load(c.x, c.load);
-    setNearForces(c);
+    setNearSources(c);
 }
 
 void Foam::capsuleGroup::moveTo(capsule& c, const numbers& x) const

@@ -1,11 +1,10 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// What is measured, drawn and saved of a capsule
+// Measures and state of a capsule
 
 #include "capsuleGroup.H"
 #include "dictionaryChecks.H"
 #include <cmath>
-#include <Eigen/Eigenvalues>
 
 // Surface integrals of the shape. Products of the series are integrated
 // exactly by the load grid up to the third degree in x
@@ -45,139 +44,7 @@ Foam::capsuleGroup::measure(const numbers& x, const numbers& xt,
     return m;
 }
 
-Foam::string Foam::capsuleGroup::describe(const flowScales& flow) const
-{
-    const scalar Gs = membrane_->model().shearModulus();
-    OStringStream os;
-    os.precision(4);
-    os << nBodies() << " of radius a " << radius_ << ", a/h "
-       << radius_ / cmptMax(scene_.grid.h()) << ", N " << harmonics().degree()
-       << ", volume fraction "
-       << nBodies() * referenceVolume_ / cmptProduct(scene_.grid.length());
-    if (flow.rate > 0)
-    {
-        os << ", Re " << scene_.rho * flow.rate * sqr(radius_) / scene_.mu
-           << ", Ca " << scene_.mu * flow.rate * radius_ / Gs;
-    }
-    else if (flow.speed > 0)
-    {
-        os << ", Re " << scene_.rho * flow.speed * radius_ / scene_.mu
-           << ", mu U/Gs " << scene_.mu * flow.speed / Gs;
-    }
-    if (bending_)
-        os << ", E_B/(a^2 Gs) " << bending_->modulus() / sqr(radius_) / Gs;
-    return os.str();
-}
-
-std::vector<Foam::bodyColumn> Foam::capsuleGroup::columns() const
-{
-    return {{"x", "m"},
-            {"y", "m"},
-            {"z", "m"},
-            {"volume", "of-the-start"},
-            {"area", "of-the-start"},
-            {"D", "(length-breadth)/(length+breadth)", true},
-            {"inclination", "degrees"},
-            {"length", "m"},
-            {"breadth", "m"},
-            {"width", "m"},
-            {"energy", "J"},
-            {"lambdaMax", "of-the-stress-free-length", true}};
-}
-
-Foam::scalarList Foam::capsuleGroup::sample(const label i) const
-{
-    const numbers& x = capsules_[i].x;
-    scalar energy;
-    const scalar stretch = membrane_->stretches(x.data(), energy).stretch;
-    const geometry m(measure(x, membrane_->xTheta(), membrane_->xPhi()));
-    if (bending_) energy += bending_->energy(x.data());
-
-    // Equivalent ellipsoid: moments V a^2/5. Iterations keep the digits that
-    // formulas lose where axes are nearly equal
-    const tensor full(5 / m.volume * m.moments);
-    const Eigen::Vector3d squares(
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
-            Eigen::Map<const Eigen::Matrix3d>(full.cdata()),
-            Eigen::EigenvaluesOnly)
-            .eigenvalues());
-    const auto axis = [&](const int k)
-    { return std::sqrt(std::max(squares[k], 0.0)); };
-    const scalar breadth = axis(0), width = axis(1), length = axis(2);
-
-    // Its direction in the shear plane; a circle has none
-    const direction f = shearPlane_[0], g = shearPlane_[1];
-    const scalar across = 0.5 * (full(f, f) - full(g, g)), fg = full(f, g);
-    const bool round =
-        std::hypot(across, fg) < 1e-12 * (full(f, f) + full(g, g)) / 2;
-    const scalar inclination =
-        round ? 0 : 90 / constant::mathematical::pi * std::atan2(fg, across);
-
-    return {m.centre.x(),
-            m.centre.y(),
-            m.centre.z(),
-            m.volume / referenceVolume_,
-            m.area / referenceArea_,
-            (length - breadth) / (length + breadth),
-            inclination,
-            length,
-            breadth,
-            width,
-            energy,
-            stretch};
-}
-
-Foam::bodySurface Foam::capsuleGroup::surface(const label i) const
-{
-    const capsule& c = capsules_[i];
-    const sphericalHarmonics& grid = membrane_->harmonics();
-    const label n = grid.nPoints(), nPhi = grid.nPhi();
-
-    const auto vectors = [&](const numbers& values)
-    {
-        vectorField v(n);
-        for (label k = 0; k < n; ++k)
-        {
-            v[k] = vector(values[k], values[n + k], values[2 * n + k]);
-        }
-        return v;
-    };
-
-    bodySurface s;
-    s.vectorNames = {"velocity", "load"};
-    s.scalarNames = {"tension1", "tension2", "curvature"};
-    s.vectors.setSize(2);
-    s.scalars.setSize(3);
-
-    grid.values(c.velocity.data(), onGrid_.data());
-    s.vectors[0] = vectors(onGrid_);
-
-    // Load per deformed area [N/m^2]: q is per solid angle
-    numbers q(coeffs_.size()), T1(n), T2(n);
-    load(c.x, q);
-    grid.values(q.data(), onGrid_.data());
-    s.vectors[1] = vectors(onGrid_);
-    grid.gradient(c.x.data(), xt_.data(), xp_.data());
-    for (label k = 0; k < n; ++k)
-    {
-        const vector t(xt_[k], xt_[n + k], xt_[2 * n + k]);
-        const vector p(xp_[k], xp_[n + k], xp_[2 * n + k]);
-        s.vectors[1][k] /= mag(t ^ p);
-    }
-    membrane_->tensions(c.x.data(), T1.data(), T2.data());
-    s.scalars[0] = scalarField(UList<scalar>(T1.data(), n));
-    s.scalars[1] = scalarField(UList<scalar>(T2.data(), n));
-    bending::curvature(grid, c.x.data(), T1.data());
-    s.scalars[2] = scalarField(UList<scalar>(T1.data(), n));
-
-    grid.values(c.x.data(), onGrid_.data());
-    s.points = vectors(onGrid_);
-
-    s.faces = ringFaces(grid.nTheta(), nPhi);
-    return s;
-}
-
-Foam::bodyGroup::identity Foam::capsuleGroup::identify() const
+Foam::bodyGroup::makeList Foam::capsuleGroup::identify() const
 {
     return {{"harmonics", scalar(harmonics().degree())},
             {"radius", radius_},

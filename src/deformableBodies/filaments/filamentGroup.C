@@ -3,6 +3,7 @@
 #include "filamentGroup.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
+#include "filamentReport.H"
 #include "judgedRatio.H"
 #include "markerLine.H"
 #include "mathematicalConstants.H"
@@ -28,8 +29,10 @@ static const Enum<filament::schemeType> schemeNames{
 
 Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
                                    const bodyScene& scene)
-    : bodyGroup(name, dict, scene)
+    : directForcing(name, dict, scene),
+      report_(new filamentReport(*this))
 {
+    const groupEntries entries(this->name(), dict, scene_);
     checkEntries(dict, {"type", "length", "diameter", "segments",
                         "bendingRigidity", "densityRatio", "ends", "positions",
                         "directions", "placement", "gravity", "coupling",
@@ -41,10 +44,10 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
 
     // The fluid tells nothing apart within a cell
     h_ = std::cbrt(scene.grid.cellVolume());
-    properties_.segments =
-        byAccuracy<label>(dict, "segments", {16, 32, 64},
-                          [](const scalar wanted)
-                          { return label(std::ceil(std::sqrt(20 / wanted))); });
+    properties_.segments = entries.byAccuracy<label>(
+        "segments", {16, 32, 64},
+        [](const scalar wanted)
+        { return label(std::ceil(std::sqrt(20 / wanted))); });
     if (twoWay() && !dict.found("segments"))
     {
         properties_.segments =
@@ -80,7 +83,7 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
         properties_.ends[e] = endNames[ends[e]];
     }
 
-    shearPlane_ = readShearPlane(dict);
+    shearPlane_ = entries.shearPlane();
 
     // Mass and weight. In two-way coupling the fluid in its place is solved
     crossSection_ = 0.25 * constant::mathematical::pi * sqr(diameter);
@@ -93,7 +96,7 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
                "1 and greater in two-way coupling");
     }
     properties_.mass = (ratio - (twoWay() ? 1 : 0)) * crossSection_ * scene.rho;
-    addWeight(readGravity(dict), ratio - (alone() ? 0 : 1));
+    entries.addWeight(entries.gravity(), ratio - (alone() ? 0 : 1));
     properties_.scheme =
         readEnum(schemeNames, dict, "scheme", filament::IMPLICIT);
     if (!alone() && properties_.scheme != filament::IMPLICIT)
@@ -118,7 +121,14 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
                                ", volume fraction " + Foam::name(fraction));
 }
 
-// Places, directions and shape at the start
+Foam::filamentGroup::~filamentGroup() {}
+
+const Foam::bodyReport& Foam::filamentGroup::report() const
+{
+    return *report_;
+}
+
+// Positions, directions and shape at the start
 void Foam::filamentGroup::readStart(const dictionary& dict)
 {
     bow_ = dict.getOrDefault<vector>("bow", Zero);
@@ -129,9 +139,11 @@ void Foam::filamentGroup::readStart(const dictionary& dict)
     }
     if (!dict.found("placement")) dict.get<vectorField>("directions");
     const scalar L0 = properties_.length;
-    readPlaces(dict, {(0.5 * thickness_ + mag(bow_)) * vector::one, 0.5 * L0},
-               L0 * 0.25 * constant::mathematical::pi * sqr(thickness_),
-               -0.5 * L0, vector(1, 0, 0));
+    start_ =
+        groupEntries(name(), dict, scene_)
+            .start({(0.5 * thickness_ + mag(bow_)) * vector::one, 0.5 * L0},
+                   L0 * 0.25 * constant::mathematical::pi * sqr(thickness_),
+                   -0.5 * L0, vector(1, 0, 0), twoWay());
     const vector L(scene_.grid.length());
     for (direction d = 0; d < 3; ++d)
     {
@@ -147,7 +159,7 @@ void Foam::filamentGroup::readStart(const dictionary& dict)
     }
     const bool heldAtBoth = properties_.ends[0] != filament::FREE &&
                             properties_.ends[1] != filament::FREE;
-    for (const vector& t : directions_)
+    for (const vector& t : start_.directions)
     {
         if (mag(bow_) > 0 && !(mag(bow_ ^ t) > 1e-6 * mag(bow_) * mag(t)))
         {
@@ -197,15 +209,14 @@ void Foam::filamentGroup::judgeSize(const dictionary& dict) const
 
 void Foam::filamentGroup::insertBody(const label i, const label number)
 {
-    filament x(properties_, firstShape(number));
-    x.clamp(0, directions_[number]);
-    x.clamp(1, directions_[number]);
-    bodies_.insert(bodies_.begin() + i,
-                   body{x, vectorField(points_.size(), Zero),
-                        vectorField(markersEach()),
-                        vectorField(twoWay() ? markersEach() : 0, Zero),
-                        List<thicknessCouple::frame>(),
-                        x.places()[movedEnd() * properties_.segments], 0, 1});
+    body x(filament(properties_, firstShape(number)));
+    x.line.clamp(0, start_.directions[number]);
+    x.line.clamp(1, start_.directions[number]);
+    x.U.setSize(points_.size(), Zero);
+    x.X.setSize(markersEach());
+    x.forces.setSize(twoWay() ? markersEach() : 0, Zero);
+    x.start = x.line.places()[movedEnd() * properties_.segments];
+    bodies_.insert(bodies_.begin() + i, x);
 }
 
 void Foam::filamentGroup::eraseBody(const label i)
@@ -340,9 +351,9 @@ void Foam::filamentGroup::readCouplingEntries(const dictionary& dict)
 // Segments of equal length along the curve
 Foam::vectorField Foam::filamentGroup::firstShape(const label number) const
 {
-    const vector t0(directions_[number] / mag(directions_[number]));
+    const vector t0(start_.directions[number] / mag(start_.directions[number]));
     const label N = properties_.segments;
-    vectorField X(N + 1, positions_[number]);
+    vectorField X(N + 1, start_.positions[number]);
     for (label i = 1; i <= N; ++i)
     {
         const scalar s = constant::mathematical::pi * (i - 0.5) / N;
@@ -358,5 +369,5 @@ void Foam::filamentGroup::checkStart(const label i,
                                      const dictionary& dict) const
 {
     const label number = mine()[i];
-    checkWalls(dict, number, bounds(i, true));
+    groupEntries::checkWalls(dict, scene_.grid, number, bounds(i, true));
 }

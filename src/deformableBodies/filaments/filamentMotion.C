@@ -35,22 +35,13 @@ void Foam::filamentGroup::markers(vector* X, const scalar dt)
         x.line.ahead(dt, ahead);
         forAll(points_, k)
         {
-            x.markers[k] = points_[k](ahead);
+            x.X[k] = points_[k](ahead);
         }
         if (couple_)
         {
-            couple_->markers(ahead, x.frames, &x.markers[points_.size()]);
+            couple_->markers(ahead, x.frames, &x.X[points_.size()]);
         }
-        X = std::copy(x.markers.begin(), x.markers.end(), X);
-    }
-}
-
-void Foam::filamentGroup::loads(vector* X, vector* F, scalar) const
-{
-    for (const body& x : bodies_)
-    {
-        X = std::copy(x.markers.begin(), x.markers.end(), X);
-        F = std::copy(x.forces.begin(), x.forces.end(), F);
+        X = std::copy(x.X.begin(), x.X.end(), X);
     }
 }
 
@@ -85,8 +76,8 @@ void Foam::filamentGroup::judgeSlip()
     {
         OStringStream os;
         os.precision(4);
-        os << nameOf(worst).c_str() << " at " << centre(worst) << " slips by "
-           << most << " m/s, where the fluid at its group has "
+        os << nameOfBody(mine()[worst]).c_str() << " at " << centre(worst)
+           << " slips by " << most << " m/s, where the fluid at its group has "
            << "moved at up to " << fastest_ << " m/s, at time " << now_;
         where = os.str();
     }
@@ -139,6 +130,8 @@ Foam::bodyPoints Foam::filamentGroup::pointsOf(const label number,
     {
         p.lengths[i] = properties_.lengthOf(i);
     }
+    p.densityRatio =
+        properties_.mass / (crossSection_ * scene_.rho) + (twoWay() ? 1 : 0);
     return p;
 }
 
@@ -185,25 +178,21 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
     if (couple_) around.couple = couple_->K();
     if (twoWay()) shareAmongLines(lineDensity, around);
 
-    const bool first = !x.line.started();
+    const vectorField change(x.change(U, !x.line.started()));
     for (label k = 0; k < n; ++k)
     {
-        const vector change(first ? vector(Zero) : vector(U[k] - x.U[k]));
-        x.U[k] = U[k];
         around.U[k] = U[k];
         if (twoWay())
         {
-            // The velocity at the start of the step stands for that at its end;
-            // half of its last change damps what this delay excites. The force
-            // of the last step stays on
-            if (!s.predicted) around.U[k] += 0.5 * change;
+            // The force F of the last step stays on: F + c (V - U) = c (V - (U - F/c))
+            if (!s.predicted) around.U[k] += 0.5 * change[k];
             around.U[k] -= x.forces[k] / around.drag[k];
         }
         else
         {
             // The fluid in its place would accelerate like this
             const vector inertia(crossSection_ * scene_.rho *
-                                 properties_.length / n / x.dt * change);
+                                 properties_.length / n / x.dt * change[k]);
             const label i = points_[k].segment;
             const scalar at = points_[k].at;
             around.force[i] += (1 - at) / properties_.lengthOf(i) * inertia;
@@ -252,10 +241,10 @@ void Foam::filamentGroup::shareAmongLines(const scalar* lineDensity,
     }
 }
 
-Foam::scalar Foam::filamentGroup::expect(const label i, const vector* U,
-                                         const scalar* lineDensity,
-                                         const bodyStep& s,
-                                         vectorField& V) const
+Foam::scalar Foam::filamentGroup::freeVelocities(const label i, const vector* U,
+                                                 const scalar* lineDensity,
+                                                 const bodyStep& s,
+                                                 vectorField& V) const
 {
     // The fluid's, where a marker feels it (see surround()), on straight lines
     // between markers and beyond the last
@@ -332,7 +321,7 @@ Foam::string Foam::filamentGroup::move(const vector* U,
             if (!advanced[l])
             {
                 trouble =
-                    nameOf(i + l) +
+                    nameOfBody(mine()[i + l]) +
                     ": no tension holds its length, even in a 64th of the "
                     "step (a floppy filament as light as the fluid needs "
                     "segments no shorter than a cell)";
@@ -345,7 +334,7 @@ Foam::string Foam::filamentGroup::move(const vector* U,
     return trouble;
 }
 
-Foam::bodyGroup::identity Foam::filamentGroup::identify() const
+Foam::bodyGroup::makeList Foam::filamentGroup::identify() const
 {
     return {{"length", properties_.length},
             {"segments", scalar(properties_.segments)}};

@@ -121,7 +121,7 @@ void Foam::fluidViscosity::compare(const PtrList<bodyGroup>& groups)
             const scalar apart = ratio < 1 ? 1 / ratio : ratio;
             if (!(apart > furthest)) continue;
             furthest = apart;
-            body = group.nameOf(i) + ": the fluid there has " +
+            body = group.nameOfBody(group.mine()[i]) + ": the fluid there has " +
                    Foam::name(ratio * value_);
         }
     }

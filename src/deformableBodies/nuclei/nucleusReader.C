@@ -4,6 +4,7 @@
 #include "dictionaryChecks.H"
 #include "judgedRatio.H"
 #include "mathematicalConstants.H"
+#include "periodicBox.H"
 
 Foam::nucleusReader::nucleusReader(const dictionary& capsules,
                                    const bodyGroup& host,
@@ -90,7 +91,7 @@ Foam::dictionary Foam::nucleusReader::group() const
     {
         const point centre(host_.initialCentre(body));
         positions[body] = intoBox(grid_, centre + offset);
-        if (body > 0 && host_.directions().empty()) continue;
+        if (body > 0 && host_.start().directions.empty()) continue;
 
         const scalar nearest = toMembrane(body, centre + offset);
         if (nearest > radius_) continue;

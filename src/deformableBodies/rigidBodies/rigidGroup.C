@@ -6,6 +6,8 @@
 #include "judgedRatio.H"
 #include "mathematicalConstants.H"
 #include "patchOrder.H"
+#include "rigidReport.H"
+#include "turnTo.H"
 #include <cmath>
 
 namespace Foam
@@ -35,10 +37,12 @@ scalar productOf(const deltaKernel& kernel, const scalar r)
 
 Foam::rigidGroup::rigidGroup(const word& name, const dictionary& dict,
                              const bodyScene& scene)
-    : bodyGroup(name, dict, scene),
+    : directForcing(name, dict, scene),
       shape_(readDict(dict, "shape", "type sphere; radius 1e-6;")),
-      h_(std::cbrt(scene.grid.cellVolume()))
+      h_(std::cbrt(scene.grid.cellVolume())),
+      report_(new rigidReport(*this))
 {
+    const groupEntries entries(this->name(), dict, scene_);
     checkEntries(dict,
                  withCoeffs(dict,
                             {"type", "shape", "positions", "directions",
@@ -55,16 +59,16 @@ Foam::rigidGroup::rigidGroup(const word& name, const dictionary& dict,
     densityRatio_ = dict.found("densityRatio")
                         ? readPositive(dict, "densityRatio", dimless)
                         : 1;
-    const bool heavy = readGravity(dict);
+    const bool heavy = entries.gravity();
     if (heavy && !dict.found("densityRatio"))
     {
         refuse(dict, "gravity", "on", "off, or a densityRatio with it");
     }
-    addWeight(heavy, densityRatio_ - 1);
+    entries.addWeight(heavy, densityRatio_ - 1);
     readMotion(dict);
 
-    const scalar spacing = byAccuracy<scalar>(
-        dict, "markerSpacing", {1.5, 1.3, 1},
+    const scalar spacing = entries.byAccuracy<scalar>(
+        "markerSpacing", {1.5, 1.3, 1},
         [](const scalar wanted) { return wanted < 0.005 ? 1 : 1.3; });
     if (spacing < 0.5 || spacing > 1.5)
     {
@@ -73,11 +77,19 @@ Foam::rigidGroup::rigidGroup(const word& name, const dictionary& dict,
     judgeSize(dict);
     setNearField(dict, spacing);
     makeMarkers(spacing);
-    readPlaces(dict, {shape_.semiAxes(), 0}, shape_.volume(), 0, shape_.axis());
+    start_ = entries.start({shape_.semiAxes(), 0}, shape_.volume(), 0,
+                           shape_.axis(), twoWay());
 
     scene_.effects.declare("rigid", true,
                            Foam::name(nBodies()) + " rigid bodies, " +
                                Foam::name(markers_.size()) + " markers each");
+}
+
+Foam::rigidGroup::~rigidGroup() {}
+
+const Foam::bodyReport& Foam::rigidGroup::report() const
+{
+    return *report_;
 }
 
 void Foam::rigidGroup::readMotion(const dictionary& dict)
@@ -114,8 +126,9 @@ void Foam::rigidGroup::judgeSize(const dictionary& dict) const
 void Foam::rigidGroup::setNearField(const dictionary& dict,
                                     const scalar spacing)
 {
-    const nearFieldEntry entry(
-        readNearField(dict, "", densityRatio_ < 1 ? -1 : errorOfCells(false)));
+    const groupEntries::nearField entry(
+        groupEntries(name(), dict, scene_)
+            .readNearField("", densityRatio_ < 1 ? -1 : errorOfCells(false)));
     const bool on = entry.whyNot.empty();
     if (on)
     {
@@ -201,11 +214,20 @@ void Foam::rigidGroup::makeMarkers(const scalar spacing)
     }
 }
 
+// Measured on spheres in a periodic box and in shear (tests/validation/rigidSphere)
+Foam::scalar Foam::rigidGroup::errorOfCells(const bool nearField) const
+{
+    const scalar radius = shape_.radius() / h_;
+    if (radius < 3 * (1 - 1e-6) || !isSphere() || scene_.insideBodies)
+        return -1;
+    return nearField ? 0.003 * sqr(3 / radius) : 0.064 / radius;
+}
+
 // Of the shape's own axes
 Foam::quaternion Foam::rigidGroup::turnOf(const label number) const
 {
-    return quaternion(
-        turnTo(directions_.empty() ? shape_.axis() : directions_[number]));
+    return quaternion(turnTo(
+        start_.directions.empty() ? shape_.axis() : start_.directions[number]));
 }
 
 Foam::bodyPoints Foam::rigidGroup::pointsOf(const label number,
@@ -218,6 +240,7 @@ Foam::bodyPoints Foam::rigidGroup::pointsOf(const label number,
         scalarField(), 0,      GREAT,        shape_.volume()};
     p.velocities = V + (W ^ p.places);
     p.places += centre;
+    p.densityRatio = densityRatio_;
     return p;
 }
 
@@ -231,12 +254,13 @@ Foam::bodyPoints Foam::rigidGroup::points(const label i) const
 
 Foam::point Foam::rigidGroup::initialCentre(const label number) const
 {
-    return positions_[number];
+    return start_.positions[number];
 }
 
 Foam::bodyPoints Foam::rigidGroup::initialPoints(const label number) const
 {
-    return pointsOf(number, positions_[number], turnOf(number).R(), Zero, Zero);
+    return pointsOf(number, start_.positions[number], turnOf(number).R(), Zero,
+                    Zero);
 }
 
 Foam::boundBox Foam::rigidGroup::bounds(const label i, const bool) const
@@ -254,11 +278,14 @@ Foam::boundBox Foam::rigidGroup::bounds(const label i, const bool) const
 
 void Foam::rigidGroup::insertBody(const label i, const label number)
 {
-    bodies_.insert(bodies_.begin() + i,
-                   body{positions_[number], turnOf(number), Zero, Zero, Zero,
-                        vectorField(markers_.size(), positions_[number]),
-                        vectorField(markers_.size(), Zero),
-                        vectorField(markers_.size(), Zero), 0, 0});
+    const label n = markers_.size();
+    body x;
+    x.X.setSize(n, start_.positions[number]);
+    x.forces.setSize(n, Zero);
+    x.U.setSize(n, Zero);
+    x.centre = start_.positions[number];
+    x.turn = turnOf(number);
+    bodies_.insert(bodies_.begin() + i, x);
 }
 
 void Foam::rigidGroup::eraseBody(const label i)
@@ -268,10 +295,10 @@ void Foam::rigidGroup::eraseBody(const label i)
 
 void Foam::rigidGroup::checkStart(const label i, const dictionary& dict) const
 {
-    checkWalls(dict, mine()[i], bounds(i, true));
+    groupEntries::checkWalls(dict, scene_.grid, mine()[i], bounds(i, true));
 }
 
-Foam::bodyGroup::identity Foam::rigidGroup::identify() const
+Foam::bodyGroup::makeList Foam::rigidGroup::identify() const
 {
     const vector& s = shape_.semiAxes();
     return {{"semiAxisX", s.x()}, {"semiAxisY", s.y()}, {"semiAxisZ", s.z()}};

@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// Rigid bodies and the fluid within a time step; what is reported and drawn of them
+// Rigid bodies and the fluid within a time step
 
 #include "rigidGroup.H"
 #include "mathematicalConstants.H"
@@ -32,17 +32,16 @@ void Foam::rigidGroup::markers(vector* X, const scalar dt)
 {
     for (body& x : bodies_)
     {
-        x.markers = x.centre + dt * x.velocity;
+        x.X = x.centre + dt * x.velocity;
         if (isSphere())
         {
-            x.markers += markers_;
+            x.X += markers_;
         }
         else
         {
-            x.markers +=
-                (rotation(dt * x.angularVelocity) * x.turn).R() & markers_;
+            x.X += (rotation(dt * x.angularVelocity) * x.turn).R() & markers_;
         }
-        X = std::copy(x.markers.begin(), x.markers.end(), X);
+        X = std::copy(x.X.begin(), x.X.end(), X);
     }
 }
 
@@ -54,16 +53,8 @@ void Foam::rigidGroup::lines(label* line) const
     }
 }
 
-void Foam::rigidGroup::loads(vector* X, vector* F, scalar) const
-{
-    for (const body& x : bodies_)
-    {
-        X = std::copy(x.markers.begin(), x.markers.end(), X);
-        F = std::copy(x.forces.begin(), x.forces.end(), F);
-    }
-}
-
-Foam::vectorField Foam::rigidGroup::felt(const label i, const vector* U) const
+Foam::vectorField Foam::rigidGroup::surfaceVelocity(const label i,
+                                                    const vector* U) const
 {
     const body& x = bodies_[i];
     const label n = markers_.size();
@@ -71,32 +62,31 @@ Foam::vectorField Foam::rigidGroup::felt(const label i, const vector* U) const
     if (nearField_)
     {
         const auto timing(scene_.effects.time("nearField"));
-        vectorField more(n);
-        nearField_->velocity(x.markers.cdata(), x.forces.cdata(), n,
-                             more.data());
-        v += more;
-        if (hasNearPartner()) addOfPartner(i, x.markers.cdata(), n, v.data());
+        vectorField own(n);
+        nearField_->velocity(x.X.cdata(), x.forces.cdata(), n, own.data());
+        v += own;
+        Foam::add(corrections_, i, x.X.cdata(), n, v.data());
     }
     return v;
 }
 
-const Foam::bodyGroup::pointForces& Foam::rigidGroup::nearForces(const label i) const
+const Foam::nearSurface::sources&
+Foam::rigidGroup::nearSources(const label i) const
 {
     const body& x = bodies_[i];
     const tensor R(isSphere() ? tensor::I : x.turn.R());
-    nearForces_.X.clear();
+    nearSources_.X.clear();
     for (const vector& r : markers_)
     {
-        nearForces_.X.push_back(x.centre + (R & r));
+        nearSources_.X.push_back(x.centre + (R & r));
     }
-    nearForces_.F.assign(x.forces.begin(), x.forces.end());
-    return nearForces_;
+    nearSources_.F.assign(x.forces.begin(), x.forces.end());
+    return nearSources_;
 }
 
 Foam::scalar Foam::rigidGroup::slipOf(const body& x, const vectorField& u)
 {
-    return max(
-        mag(x.velocity + (x.angularVelocity ^ (x.markers - x.centre)) - u));
+    return max(mag(x.velocity + (x.angularVelocity ^ (x.X - x.centre)) - u));
 }
 
 void Foam::rigidGroup::recordSlip(const vector* U)
@@ -104,7 +94,7 @@ void Foam::rigidGroup::recordSlip(const vector* U)
     forAll(mine(), i)
     {
         body& x = bodies_[i];
-        x.slip = slipOf(x, felt(i, U));
+        x.slip = slipOf(x, surfaceVelocity(i, U));
         U += markers_.size();
     }
 }
@@ -141,14 +131,12 @@ Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
             force = sum(F);
             torque = sum((x.turn.R() & surface_) ^ F);
         }
-        vectorField u(felt(i, U));
+        vectorField u(surfaceVelocity(i, U));
 
-        // The velocity at the start of the step stands for that at its end: see
-        // filamentGroup. Of the mesh's velocity only: the near field is that of
+        // The change is that of the mesh's velocity only: the near field is that of
         // forces, and its change would be answered twice
-        const vectorField now(UList<vector>(const_cast<vector*>(U), n));
-        if (!s.predicted && x.dt > 0) u += 0.5 * (now - x.U);
-        x.U = now;
+        const vectorField change(x.change(U, x.dt == 0));
+        if (!s.predicted) u += 0.5 * change;
         advance(x, u, gains(density, s), force, torque, s);
 
         // Implicit solvers of the fluid bear no such force for long
@@ -156,7 +144,7 @@ Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
         if (!(cells < 20))
         {
             OStringStream os;
-            os << nameOf(i).c_str() << " at " << x.centre
+            os << nameOfBody(mine()[i]).c_str() << " at " << x.centre
                << ": the fluid passes its surface by " << Foam::name(cells)
                << " cells in a step, limit 20; its velocity is " << x.velocity
                << ", the force on the fluid " << sum(x.forces);
@@ -175,7 +163,7 @@ void Foam::rigidGroup::advance(body& x, const vectorField& U,
 {
     using matrix = Eigen::Matrix<scalar, 6, 6>;
     const vector centre(x.centre + s.dt * x.velocity);
-    const vectorField r(x.markers - centre);
+    const vectorField r(x.X - centre);
     const tensor R(x.turn.R());
     const scalar a = shape_.radius(), fluid = scene_.rho * shape_.volume();
     const vector I(fluid * shape_.inertia());
@@ -275,156 +263,4 @@ void Foam::rigidGroup::advance(body& x, const vectorField& U,
     x.velocity = V;
     x.angularVelocity = W;
     x.dt = s.dt;
-}
-
-Foam::string Foam::rigidGroup::describe(const flowScales& flow) const
-{
-    const scalar a = shape_.radius();
-    OStringStream os;
-    os.precision(4);
-    os << nBodies() << " of radius a " << a << ", a/h " << a / h_
-       << ", density ratio " << densityRatio_ << ", volume fraction "
-       << nBodies() * shape_.volume() / cmptProduct(scene_.grid.length());
-    if (flow.rate > 0)
-    {
-        os << ", Re " << scene_.rho * flow.rate * sqr(a) / scene_.mu;
-    }
-    else if (flow.speed > 0)
-    {
-        os << ", Re " << scene_.rho * flow.speed * a / scene_.mu;
-    }
-    return os.str();
-}
-
-// Measured on spheres in a periodic box and in shear (tests/validation/rigidSphere)
-Foam::scalar Foam::rigidGroup::errorOfCells(const bool nearField) const
-{
-    const scalar radius = shape_.radius() / h_;
-    if (radius < 3 * (1 - 1e-6) || !isSphere() || scene_.insideBodies)
-        return -1;
-    return nearField ? 0.003 * sqr(3 / radius) : 0.064 / radius;
-}
-
-Foam::expectedErrors Foam::rigidGroup::errors(const flowScales&) const
-{
-    expectedErrors e{name(), "drag", {}};
-    const scalar radius = shape_.radius() / h_;
-    e.parts.push_back(
-        {"cells", errorOfCells(bool(nearField_)),
-         "a/h " + Foam::name(radius) +
-             (scene_.insideBodies ? ", not measured inside a capsule"
-              : isSphere()        ? ""
-                                  : ", not measured on ellipsoids") +
-             (nearField_ ? " with near field" : " without near field"),
-         [this](const scalar left) -> string
-         {
-             return "cells of " +
-                    atMost(shape_.radius() / (nearField_
-                                                  ? 3 * std::sqrt(0.003 / left)
-                                                  : 0.064 / left)) +
-                    " m and smaller";
-         }});
-    e.parts.push_back(
-        ofForcing(scene_.mu / scene_.rho, scene_.deltaT, h_, scene_.duration));
-    return e;
-}
-
-std::vector<Foam::errorIndicator> Foam::rigidGroup::indicators() const
-{
-    scalar slip = 0;
-    for (const body& x : bodies_)
-    {
-        // Of those that are held or lie still: the speed that the force stands for
-        const scalar a = shape_.radius();
-        const scalar speed = mag(x.velocity) + mag(x.angularVelocity) * a;
-        const scalar ofForce = mag(sum(x.forces)) /
-                               (6 * constant::mathematical::pi * scene_.mu * a);
-        slip = max(slip, x.slip / max(max(speed, ofForce), VSMALL));
-    }
-    return {{"slip over speed", slip, 0.05, smallerSteps()}};
-}
-
-std::vector<Foam::bodyColumn> Foam::rigidGroup::columns() const
-{
-    return {{"x", "m"},
-            {"y", "m"},
-            {"z", "m"},
-            {"velocityX", "m/s"},
-            {"velocityY", "m/s"},
-            {"velocityZ", "m/s"},
-            {"angularVelocityX", "1/s"},
-            {"angularVelocityY", "1/s"},
-            {"angularVelocityZ", "1/s"},
-            {"axisX", "1"},
-            {"axisY", "1"},
-            {"axisZ", "1"},
-            {"forceX", "N"},
-            {"forceY", "N"},
-            {"forceZ", "N"},
-            {"torqueX", "N-m"},
-            {"torqueY", "N-m"},
-            {"torqueZ", "N-m"},
-            {"stressletXX", "N-m"},
-            {"stressletXY", "N-m"},
-            {"stressletXZ", "N-m"},
-            {"stressletYY", "N-m"},
-            {"stressletYZ", "N-m"},
-            {"stressletZZ", "N-m"},
-            {"slip", "m/s", true}};
-}
-
-// Force and torque are those on the fluid; the stresslet over the volume of the box
-// is the body's part of the stress
-Foam::scalarList Foam::rigidGroup::sample(const label i) const
-{
-    const body& x = bodies_[i];
-    const vector force(sum(x.forces));
-    vector torque(Zero);
-    symmTensor stresslet(Zero);
-    const tensor R(x.turn.R());
-    forAll(markers_, k)
-    {
-        const vector r(isSphere() ? markers_[k] : R & markers_[k]);
-        torque += r ^ x.forces[k];
-        stresslet -= symm(r * x.forces[k]);
-    }
-    scalarList values;
-    for (const vector& v : {vector(x.centre), x.velocity, x.angularVelocity,
-                            vector(R & vector(0, 0, 1)), force, torque})
-    {
-        values.append(scalarList({v.x(), v.y(), v.z()}));
-    }
-    values.append(
-        scalarList({stresslet.xx(), stresslet.xy(), stresslet.xz(),
-                    stresslet.yy(), stresslet.yz(), stresslet.zz(), x.slip}));
-    return values;
-}
-
-// Rings around the axis, and one polygon over each pole
-Foam::bodySurface Foam::rigidGroup::surface(const label i) const
-{
-    const body& x = bodies_[i];
-    const tensor R(x.turn.R());
-    const label nTheta = 16, nPhi = 32;
-    const scalar pi = constant::mathematical::pi;
-    bodySurface s;
-    s.points.setSize(nTheta * nPhi);
-    for (label r = 0; r < nTheta; ++r)
-    {
-        const scalar t = pi * (r + 0.5) / nTheta;
-        for (label j = 0; j < nPhi; ++j)
-        {
-            const scalar p = 2 * pi * j / nPhi;
-            const vector on(
-                cmptMultiply(shape_.semiAxes(),
-                             vector(std::sin(t) * std::cos(p),
-                                    std::sin(t) * std::sin(p), std::cos(t))));
-            s.points[r * nPhi + j] = x.centre + (R & on);
-        }
-    }
-    s.faces = ringFaces(nTheta, nPhi);
-    s.vectorNames = {"velocity"};
-    s.vectors.setSize(1);
-    s.vectors[0] = x.velocity + (x.angularVelocity ^ (s.points - x.centre));
-    return s;
 }

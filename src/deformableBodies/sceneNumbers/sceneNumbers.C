@@ -129,7 +129,7 @@ Foam::flowScales Foam::printSceneNumbers(const fvMesh& mesh, const scalar rho,
     forAll(groups, g)
     {
         Info << line(groups[g].name()).c_str()
-             << groups[g].describe(flow).c_str() << nl;
+             << groups[g].report().describe(flow).c_str() << nl;
     }
     Info << endl;
     return flow;

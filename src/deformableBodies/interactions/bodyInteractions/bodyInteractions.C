@@ -164,7 +164,7 @@ Foam::contactLoad Foam::bodyInteractions::loadOf(const label g,
         size = load.radius = std::cbrt(0.75 * volume / pi);
         load.drag = 6 * pi * scene.mu * size;
         square = 0.2 * pi * scene.rho * sqr(size);
-        load.mass = (group.densityRatio() + 0.5) * scene.rho * volume;
+        load.mass = (p.densityRatio + 0.5) * scene.rho * volume;
         for (label soft = g; soft >= 0; soft = groups_[soft].host())
         {
             load.softness =
@@ -180,7 +180,7 @@ Foam::contactLoad Foam::bodyInteractions::loadOf(const label g,
         load.drag = 4 * pi * scene.mu * L /
                     (std::log(max(L / load.radius, scalar(3))) + 0.193);
         square = scene.rho * load.radius * L;
-        load.mass = (group.densityRatio() + 1) * scene.rho * volume;
+        load.mass = (p.densityRatio + 1) * scene.rho * volume;
     }
 
     for (label i = 0; i <= 8 && scene.forces.actOn(group.name(), 0); ++i)

@@ -3,6 +3,7 @@
 // What resists the relative motion of fibres, and what it remembers
 
 #include "bodyInteractions.H"
+#include "directForcing.H"
 #include "Pair.H"
 #include <algorithm>
 #include <iomanip>
@@ -54,7 +55,8 @@ void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
             const participant& p = bodies_[b];
             if (p.near)
             {
-                yield[b] = group.expect(i, U, lineDensity, step, v);
+                yield[b] = refCast<const directForcing>(group).freeVelocities(
+                    i, U, lineDensity, step, v);
                 const vectorField x(group.points(i).places);
                 const scalar segments = x.size() - 1;
                 for (label k = p.first; k < p.first + p.size; ++k)

@@ -2,62 +2,66 @@
 
 // What is reported and drawn of filaments
 
-#include "filamentGroup.H"
+#include "filamentReport.H"
 #include "mathematicalConstants.H"
 #include <cmath>
 
-Foam::string Foam::filamentGroup::describe(const flowScales& flow) const
+Foam::string Foam::filamentReport::describe(const flowScales& flow) const
 {
-    const scalar L = properties_.length, B = properties_.rigidity;
+    const scalar L = group_.properties_.length, B = group_.properties_.rigidity;
     OStringStream os;
     os.precision(4);
-    os << nBodies() << " of length L " << L << ", L/h " << L / h_
-       << ", diameter/h " << thickness_ / h_ << ", L/diameter "
-       << L / thickness_ << ", volume fraction "
-       << nBodies() * L * 0.25 * constant::mathematical::pi * sqr(thickness_) /
-              cmptProduct(scene_.grid.length());
-    if (alone()) return os.str();
+    os << group_.nBodies() << " of length L " << L << ", L/h " << L / group_.h_
+       << ", diameter/h " << group_.thickness_ / group_.h_ << ", L/diameter "
+       << L / group_.thickness_ << ", volume fraction "
+       << group_.nBodies() * L * 0.25 * constant::mathematical::pi *
+              sqr(group_.thickness_) / cmptProduct(group_.scene_.grid.length());
+    if (group_.alone()) return os.str();
     if (flow.rate > 0)
     {
-        os << ", Re " << scene_.rho * flow.rate * sqr(L) / scene_.mu;
+        os << ", Re "
+           << group_.scene_.rho * flow.rate * sqr(L) / group_.scene_.mu;
         if (B > 0)
-            os << ", mu rate L^4/B " << scene_.mu * flow.rate * pow4(L) / B;
+            os << ", mu rate L^4/B "
+               << group_.scene_.mu * flow.rate * pow4(L) / B;
     }
     else if (flow.speed > 0)
     {
-        os << ", Re " << scene_.rho * flow.speed * L / scene_.mu;
+        os << ", Re " << group_.scene_.rho * flow.speed * L / group_.scene_.mu;
         if (B > 0)
-            os << ", mu U L^3/B " << scene_.mu * flow.speed * pow3(L) / B;
+            os << ", mu U L^3/B "
+               << group_.scene_.mu * flow.speed * pow3(L) / B;
     }
     return os.str();
 }
 
 // Measured on cantilevers, chains and swings, and by the drag of straight ones
 // (doc/validation.md)
-Foam::expectedErrors Foam::filamentGroup::errors(const flowScales&) const
+Foam::expectedErrors Foam::filamentReport::errors(const flowScales&) const
 {
-    expectedErrors e{name(), "shape", {}};
-    const label n = properties_.segments;
+    expectedErrors e{group_.name(), "shape", {}};
+    const label n = group_.properties_.segments;
     e.parts.push_back(
         {"segments", 4.0 / (n * n), Foam::name(n), [](const scalar left) {
              return "segments " +
                     Foam::name(label(std::ceil(2 / std::sqrt(left))));
          }});
-    if (twoWay())
+    if (group_.twoWay())
     {
         e.parts.push_back(
             {"drag", 0.03, "of a fibre of the kernel's thickness", nullptr});
-        e.parts.push_back(ofForcing(scene_.mu / scene_.rho, scene_.deltaT, h_,
-                                    scene_.duration));
+        e.parts.push_back(ofForcing(group_.scene_.mu / group_.scene_.rho,
+                                    group_.scene_.deltaT, group_.h_,
+                                    group_.scene_.duration));
     }
     return e;
 }
 
-std::vector<Foam::errorIndicator> Foam::filamentGroup::indicators() const
+std::vector<Foam::errorIndicator> Foam::filamentReport::indicators() const
 {
-    const label N = properties_.segments;
+    const label N = group_.properties_.segments;
     scalar bend = 0, length = 0, slip = 0;
-    for (const body& x : bodies_)
+    for (const auto& x : group_.bodies_)
     {
         const vectorField& X = x.line.places();
         for (label k = 1; k < N; ++k)
@@ -66,25 +70,26 @@ std::vector<Foam::errorIndicator> Foam::filamentGroup::indicators() const
             bend = max(bend, 1 - (before & after) / (mag(before) * mag(after)));
         }
         length = max(length, x.line.lengthError());
-        if (!twoWay()) continue;
+        if (!group_.twoWay()) continue;
         // Of those that are held or lie still: the speed that the force stands for
         const scalar speed = max(mag(x.line.velocities()));
-        const scalar ofForce =
-            mag(sum(x.forces)) / (10 * scene_.mu * properties_.length);
+        const scalar ofForce = mag(sum(x.forces)) / (10 * group_.scene_.mu *
+                                                     group_.properties_.length);
         slip = max(slip, x.slip / max(max(speed, ofForce), VSMALL));
     }
     std::vector<errorIndicator> all(
         {{"1 - cosine of the angle between segments", bend, 0.05,
           "entry segments to more"},
-         {"change of length", length, 1e-3, smallerSteps()}});
-    if (twoWay())
+         {"change of length", length, 1e-3, smallerSteps(group_.scene_)}});
+    if (group_.twoWay())
     {
-        all.push_back({"slip over speed", slip, 0.05, smallerSteps()});
+        all.push_back(
+            {"slip over speed", slip, 0.05, smallerSteps(group_.scene_)});
     }
     return all;
 }
 
-std::vector<Foam::bodyColumn> Foam::filamentGroup::columns() const
+std::vector<Foam::bodyColumn> Foam::filamentReport::columns() const
 {
     return {{"x", "m"},           {"y", "m"},
             {"z", "m"},           {"tipX", "m"},
@@ -96,12 +101,12 @@ std::vector<Foam::bodyColumn> Foam::filamentGroup::columns() const
             {"forceZ", "N"},      {"slip", "m/s", true}};
 }
 
-Foam::scalarList Foam::filamentGroup::sample(const label i) const
+Foam::scalarList Foam::filamentReport::sample(const label i) const
 {
-    const filament& x = bodies_[i].line;
+    const filament& x = group_.bodies_[i].line;
     const vectorField& X = x.places();
-    const label N = properties_.segments;
-    const vector force(sum(bodies_[i].forces));
+    const label N = group_.properties_.segments;
+    const vector force(sum(group_.bodies_[i].forces));
     vector centre(Zero);
     for (label k = 0; k < N; ++k)
     {
@@ -119,20 +124,21 @@ Foam::scalarList Foam::filamentGroup::sample(const label i) const
             x.kineticEnergy() + x.bendingEnergy(),
             max(x.tensions()),
             180 / constant::mathematical::pi *
-                std::atan2(across[shearPlane_[1]], across[shearPlane_[0]]),
+                std::atan2(across[group_.shearPlane_[1]],
+                           across[group_.shearPlane_[0]]),
             scalar(x.iterations()),
             force.x(),
             force.y(),
             force.z(),
-            bodies_[i].slip};
+            group_.bodies_[i].slip};
 }
 
 // A line along the nodes
-Foam::bodySurface Foam::filamentGroup::surface(const label i) const
+Foam::bodySurface Foam::filamentReport::surface(const label i) const
 {
-    const filament& x = bodies_[i].line;
+    const filament& x = group_.bodies_[i].line;
     const vectorField& X = x.places();
-    const label N = properties_.segments;
+    const label N = group_.properties_.segments;
 
     bodySurface s;
     s.lines = true;
@@ -148,8 +154,8 @@ Foam::bodySurface Foam::filamentGroup::surface(const label i) const
                                  x.tensions()[min(k, N - 1)]);
         if (k > 0 && k < N)
         {
-            s.scalars[1][k] =
-                mag(X[k + 1] - 2 * X[k] + X[k - 1]) / sqr(properties_.ds());
+            s.scalars[1][k] = mag(X[k + 1] - 2 * X[k] + X[k - 1]) /
+                              sqr(group_.properties_.ds());
         }
     }
     return s;

@@ -1,0 +1,143 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "capsuleReport.H"
+#include <Eigen/Eigenvalues>
+
+Foam::string Foam::capsuleReport::describe(const flowScales& flow) const
+{
+    const scalar Gs = group_.membrane_->model().shearModulus();
+    OStringStream os;
+    os.precision(4);
+    os << group_.nBodies() << " of radius a " << group_.radius_ << ", a/h "
+       << group_.radius_ / cmptMax(group_.scene_.grid.h()) << ", N "
+       << group_.harmonics().degree() << ", volume fraction "
+       << group_.nBodies() * group_.referenceVolume_ /
+              cmptProduct(group_.scene_.grid.length());
+    if (flow.rate > 0)
+    {
+        os << ", Re "
+           << group_.scene_.rho * flow.rate * sqr(group_.radius_) /
+                  group_.scene_.mu
+           << ", Ca " << group_.scene_.mu * flow.rate * group_.radius_ / Gs;
+    }
+    else if (flow.speed > 0)
+    {
+        os << ", Re "
+           << group_.scene_.rho * flow.speed * group_.radius_ / group_.scene_.mu
+           << ", mu U/Gs " << group_.scene_.mu * flow.speed / Gs;
+    }
+    if (group_.bending_)
+        os << ", E_B/(a^2 Gs) "
+           << group_.bending_->modulus() / sqr(group_.radius_) / Gs;
+    return os.str();
+}
+
+std::vector<Foam::bodyColumn> Foam::capsuleReport::columns() const
+{
+    return {{"x", "m"},
+            {"y", "m"},
+            {"z", "m"},
+            {"volume", "of-the-start"},
+            {"area", "of-the-start"},
+            {"D", "(length-breadth)/(length+breadth)", true},
+            {"inclination", "degrees"},
+            {"length", "m"},
+            {"breadth", "m"},
+            {"width", "m"},
+            {"energy", "J"},
+            {"lambdaMax", "of-the-stress-free-length", true}};
+}
+
+Foam::scalarList Foam::capsuleReport::sample(const label i) const
+{
+    const std::vector<double>& x = group_.capsules_[i].x;
+    scalar energy;
+    const scalar stretch =
+        group_.membrane_->stretches(x.data(), energy).stretch;
+    const auto m(group_.measure(x, group_.membrane_->xTheta(),
+                                group_.membrane_->xPhi()));
+    if (group_.bending_) energy += group_.bending_->energy(x.data());
+
+    // Equivalent ellipsoid: moments V a^2/5. Iterations keep the digits that
+    // formulas lose where axes are nearly equal
+    const tensor full(5 / m.volume * m.moments);
+    const Eigen::Vector3d squares(
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
+            Eigen::Map<const Eigen::Matrix3d>(full.cdata()),
+            Eigen::EigenvaluesOnly)
+            .eigenvalues());
+    const auto axis = [&](const int k)
+    { return std::sqrt(std::max(squares[k], 0.0)); };
+    const scalar breadth = axis(0), width = axis(1), length = axis(2);
+
+    // Its direction in the shear plane; a circle has none
+    const direction f = group_.shearPlane_[0], g = group_.shearPlane_[1];
+    const scalar across = 0.5 * (full(f, f) - full(g, g)), fg = full(f, g);
+    const bool round =
+        std::hypot(across, fg) < 1e-12 * (full(f, f) + full(g, g)) / 2;
+    const scalar inclination =
+        round ? 0 : 90 / constant::mathematical::pi * std::atan2(fg, across);
+
+    return {m.centre.x(),
+            m.centre.y(),
+            m.centre.z(),
+            m.volume / group_.referenceVolume_,
+            m.area / group_.referenceArea_,
+            (length - breadth) / (length + breadth),
+            inclination,
+            length,
+            breadth,
+            width,
+            energy,
+            stretch};
+}
+
+Foam::bodySurface Foam::capsuleReport::surface(const label i) const
+{
+    const auto& c = group_.capsules_[i];
+    const sphericalHarmonics& grid = group_.membrane_->harmonics();
+    const label n = grid.nPoints(), nPhi = grid.nPhi();
+
+    const auto vectors = [&](const std::vector<double>& values)
+    {
+        vectorField v(n);
+        for (label k = 0; k < n; ++k)
+        {
+            v[k] = vector(values[k], values[n + k], values[2 * n + k]);
+        }
+        return v;
+    };
+
+    bodySurface s;
+    s.vectorNames = {"velocity", "load"};
+    s.scalarNames = {"tension1", "tension2", "curvature"};
+    s.vectors.setSize(2);
+    s.scalars.setSize(3);
+
+    grid.values(c.velocity.data(), group_.onGrid_.data());
+    s.vectors[0] = vectors(group_.onGrid_);
+
+    // Load per deformed area [N/m^2]: q is per solid angle
+    std::vector<double> q(group_.coeffs_.size()), T1(n), T2(n);
+    group_.load(c.x, q);
+    grid.values(q.data(), group_.onGrid_.data());
+    s.vectors[1] = vectors(group_.onGrid_);
+    grid.gradient(c.x.data(), group_.xt_.data(), group_.xp_.data());
+    for (label k = 0; k < n; ++k)
+    {
+        const vector t(group_.xt_[k], group_.xt_[n + k], group_.xt_[2 * n + k]);
+        const vector p(group_.xp_[k], group_.xp_[n + k], group_.xp_[2 * n + k]);
+        s.vectors[1][k] /= mag(t ^ p);
+    }
+    group_.membrane_->tensions(c.x.data(), T1.data(), T2.data());
+    s.scalars[0] = scalarField(UList<scalar>(T1.data(), n));
+    s.scalars[1] = scalarField(UList<scalar>(T2.data(), n));
+    bending::curvature(grid, c.x.data(), T1.data());
+    s.scalars[2] = scalarField(UList<scalar>(T1.data(), n));
+
+    grid.values(c.x.data(), group_.onGrid_.data());
+    s.points = vectors(group_.onGrid_);
+
+    s.faces = ringFaces(grid.nTheta(), nPhi);
+    return s;
+}
