@@ -1,7 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "deltaKernel.H"
-#include "dictionary.H"
+#include "dictionaryChecks.H"
 
 // g++ 12 sees uninitialised values in its own AVX-512 intrinsics
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
@@ -14,7 +14,7 @@ const Foam::Enum<Foam::deltaKernel::kernelType> Foam::deltaKernel::names({
 });
 
 Foam::deltaKernel::deltaKernel(const dictionary& dict)
-    : type_(names.getOrDefault("kernel", dict, kernelType::Roma3))
+    : type_(readEnum(names, dict, "kernel", kernelType::Roma3))
 {
 }
 
