@@ -17,8 +17,8 @@ Description
     within the step (in pimple with the last); they act at the faces, where their
     force is balanced against the pressure gradient.
 
-    With -postProcess the bodies are drawn again from the states of the times chosen, in
-    postProcessing/VTK/bodies, beside what the functionObjects do.
+    With -postProcess the bodies are drawn again from the states of the chosen times,
+    in postProcessing/VTK/bodies, beside the output of the functionObjects.
 
     Without constant/deformableBodies it is pimpleFoam on a static mesh.
 
@@ -28,7 +28,8 @@ Usage
     decomposePar; foamJob -parallel -wait deformableBodyFoam
     \endverbatim
 
-    Fields U and p as for pimpleFoam; bodies as described in bodyCollection.H.
+    Fields U and p as for pimpleFoam; bodies as described in bodyCollection.H; the
+    time step in stepLimits.H.
 */
 
 #include "fvCFD.H"
@@ -37,17 +38,16 @@ Usage
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "bodyCollection.H"
+#include "bodyLimits.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
 #include "flowAlgorithm.H"
-#include "flowSources.H"
 #include "lastStep.H"
-#include "fieldsWanted.H"
 #include "runProgress.H"
 #include "sigFpe.H"
+#include "staggeredStep.H"
 #include "startDictionary.H"
-#include "stepGuard.H"
-#include "printTraffic.H"
+#include "printEnd.H"
 
 int main(int argc, char* argv[])
 {
@@ -66,29 +66,12 @@ int main(int argc, char* argv[])
     #include "checkTime.H"
     #include "refuseDynamicMesh.H"
     #include "createControl.H"
-    #include "createTimeControls.H"
     #include "initContinuityErrs.H"
     #include "createFields.H"
     #include "createBodies.H"
     #include "createFvOptions.H"
     #include "createFlow.H"
-    #include "createGuard.H"
-    scalar CoNum = 0;
-    if (adjustTimeStep && lastStep::read(runTime) > 0)
-    {
-        runTime.setDeltaT(lastStep::read(runTime), false);
-    }
-    #include "flowCourantNo.H"
-    #include "printLimits.H"
-    if (adjustTimeStep)
-    {
-        #include "setInitialDeltaT.H"
-        #include "flowCourantNo.H"
-    }
-    else
-    {
-        #include "checkCourantNo.H"
-    }
+    #include "startLimits.H"
 
     if (args.found("dry-run"))
     {
@@ -102,26 +85,28 @@ int main(int argc, char* argv[])
     {
         {
             const auto timing(effects.time("timeStep"));
-            #include "readTimeControls.H"
-            #include "setBodyDeltaT.H"
-            #include "checkCourantNo.H"
+            setLimits(limits, bodies);
+            limits.adjust(runTime);
+            if (flows) limits.judge(fill);
 
             ++runTime;
 
             Info<< "Time = " << runTime.timeName() << nl << endl;
         }
 
-        if (bodies.alone())
+        if (!flows)
         {
             bodies.advance(phi);
         }
-        else if (staggered)
-        {
-            #include "staggeredStep.H"
-        }
-        else
+        else if (!staggered)
         {
             #include "pimpleStep.H"
+        }
+        else if (!staggeredStep(*staggered, *sources, bodies,
+                                laminarTransport, judge))
+        {
+            staggered->fill();
+            bodies.stop();
         }
 
         {
@@ -132,21 +117,7 @@ int main(int argc, char* argv[])
         }
     }
 
-    if (runTime.timeIndex() == runTime.startTimeIndex())
-    {
-        Info<< "No step was taken: it starts at " << runTime.timeName()
-            << ", endTime is " << runTime.endTime().value() << ", deltaT "
-            << runTime.deltaTValue() << nl << endl;
-    }
-    else if (!runTime.writeTime())
-    {
-        Info<< "Not written: the last time, " << runTime.timeName()
-            << ", which is no write time (writeControl, writeInterval)" << nl
-            << endl;
-    }
-    printTraffic(runTime);
-
-    Info<< "End\n" << endl;
+    printEnd(runTime);
 
     return 0;
 }

@@ -28,8 +28,8 @@ Foam::string Foam::flowAlgorithm::obstacle(const volVectorField& U,
                        (transport == "Newtonian" || transport == "prescribed");
     const string models(
         known ? ""
-              : "it knows laminar flow of a fluid of given viscosity only "
-                "(transportModel Newtonian or prescribed); turbulence is " +
+              : "staggered supports laminar flow with transportModel Newtonian "
+              "or prescribed only; turbulence is " +
                     turbulence + ", transportModel " + transport);
     string all;
     for (const string& one : {staggeredFlow::unsupported(U, p), models,
@@ -38,6 +38,48 @@ Foam::string Foam::flowAlgorithm::obstacle(const volVectorField& U,
         if (!one.empty()) all += (all.empty() ? "" : "; ") + one;
     }
     return all;
+}
+
+void Foam::flowAlgorithm::checkViscosity(const dictionary& transport,
+                                         const scalar least)
+{
+    if (least >= 0) return;
+    refuse(transport, "nu", Foam::name(least), "0 and greater");
+}
+
+Foam::List<Foam::flowAlgorithm::effect>
+Foam::flowAlgorithm::effects(const bool flows) const
+{
+    const string name(staggered() ? "staggered" : "pimple");
+    DynamicList<effect> all;
+    all.append({"momentum", flows, flows ? name : string("coupling none")});
+    all.append({"pressure", flows,
+                staggered() ? "fast transforms" : "pimple, PISO corrections"});
+    if (!staggered() || !flows) return List<effect>(all);
+    all.append({"diffusion", true, "its implicit part"});
+    all.append({"fields", true, "U, p, phi when they are looked at"});
+    return List<effect>(all);
+}
+
+void Foam::flowAlgorithm::declare(effectLedger& ledger, const bool flows) const
+{
+    for (const effect& e : effects(flows))
+    {
+        ledger.declare(e.name, e.active, e.note);
+    }
+}
+
+void Foam::flowAlgorithm::expect(CourantGuard& guard, const bool bodies,
+                                 const label nOuterCorrectors) const
+{
+    if (bodies)
+    {
+        guard.expect(1, "bodies, which pass a cell in a step", true);
+    }
+    else if (!staggered() && nOuterCorrectors < 2)
+    {
+        guard.expect(5, "pimple with nOuterCorrectors 1", false);
+    }
 }
 
 void Foam::flowAlgorithm::checkControls(const dictionary& controls,

@@ -69,10 +69,10 @@ Foam::string Foam::staggeredFlow::unsupported(const volVectorField& U,
     return readWalls(now, unused);
 }
 
-bool Foam::staggeredFlow::wallsLookAtFields() const
+bool Foam::staggeredFlow::lookAtFields(const volVectorField& U)
 {
     bool any = false;
-    for (const fvPatchVectorField& Ub : U_.boundaryField())
+    for (const fvPatchVectorField& Ub : U.boundaryField())
     {
         any = any || (!Ub.coupled() && !ofTime.found(Ub.type()));
     }

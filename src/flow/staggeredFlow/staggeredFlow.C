@@ -59,6 +59,7 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
                         Ub.type() != fixedValueFvPatchVectorField::typeName);
     }
     reduce(wallsChange_, orOp<bool>());
+    wallsLook_ = lookAtFields(U);
     readWalls(U, walls_);
 
     setViscosity(nu);
@@ -229,6 +230,27 @@ void Foam::staggeredFlow::chooseTimeScheme(const scalar deltaT,
          << Foam::name(deltaT) << endl;
 }
 
+void Foam::staggeredFlow::setLimits(stepLimits& limits, const bool mayChoose)
+{
+    const scalar deltaT = mesh_.time().deltaTValue();
+    limits.setCourantNo(CourantNo(deltaT));
+    if (mayChoose)
+    {
+        const scalar others = min(limits.smallestOther(), maxDeltaT());
+        chooseTimeScheme(limits.adjusted() ? others : deltaT,
+                         limits.adjusted());
+    }
+    limits.set("diffusion", maxDeltaT(), "diffusion explicit",
+               maxDeltaT() < GREAT ? "" : "implicit where needed");
+    const scalar stable = stableCourantNo();
+    if (!(stable < GREAT)) return;
+    limits.guard().expect(stable, "the stability of timeScheme " + timeScheme(),
+                          true,
+                          RK3_ ? ""
+                               : "timeScheme RK3; in PIMPLE of "
+                                 "system/fvSolution");
+}
+
 void Foam::staggeredFlow::chooseDiffusion(const scalar dt)
 {
     const bool wasExplicit = explicit_, byTransforms = transforms_;
@@ -368,7 +390,7 @@ Foam::vector2D Foam::staggeredFlow::largestRates() const
 Foam::scalar Foam::staggeredFlow::CourantNo(const scalar dt) const
 {
     const scalar rate = largestRates().x();
-    return rate < VGREAT ? dt * rate : GREAT * GREAT;
+    return rate < VGREAT ? dt * rate : CourantGuard::notFinite;
 }
 
 // A wave of central differences in a velocity u that is uniform around it turns by

@@ -1,0 +1,172 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "CourantGuard.H"
+#include "dictionaryChecks.H"
+#include "fvc.H"
+#include "lastStep.H"
+#include "volFields.H"
+
+namespace
+{
+using namespace Foam;
+
+//- Half the flux through the faces of each cell, per volume: |u|/h [1/s]
+scalarField rates(const surfaceScalarField& phi)
+{
+    return 0.5 * fvc::surfaceSum(mag(phi))().primitiveField() /
+           phi.mesh().V().field();
+}
+
+//- Centre of the cell whose velocity is not finite, or else fastest (collective)
+point worstCell(const surfaceScalarField& phi)
+{
+    const scalarField fast(rates(phi));
+    label worst = 0;
+    forAll(fast, celli)
+    {
+        if (!std::isfinite(fast[worst])) break;
+        if (!(fast[celli] <= fast[worst])) worst = celli;
+    }
+    List<Tuple2<scalar, point>> all(Pstream::nProcs());
+    if (fast.size())
+    {
+        const scalar f = fast[worst];
+        all[Pstream::myProcNo()] = Tuple2<scalar, point>(
+            std::isfinite(f) ? f : GREAT, phi.mesh().C()[worst]);
+    }
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+    Tuple2<scalar, point> where(all[0]);
+    for (const Tuple2<scalar, point>& one : all)
+    {
+        if (one.first() > where.first()) where = one;
+    }
+    return where.second();
+}
+} // namespace
+
+constexpr Foam::scalar Foam::CourantGuard::notFinite;
+
+void Foam::CourantGuard::expect(const scalar stable, const string& who,
+                                const bool isExplicit, const string& remedy)
+{
+    stable_ = stable;
+    who_ = who;
+    largest_ = isExplicit ? 20 : GREAT;
+    remedy_ = remedy;
+}
+
+Foam::scalar Foam::CourantGuard::CourantNo(const surfaceScalarField& phi)
+{
+    const scalarField all(rates(phi));
+    bool bad = false;
+    for (const scalar rate : all)
+    {
+        bad = bad || !(rate < VGREAT);
+    }
+    if (returnReduce(bad, orOp<bool>())) return notFinite;
+    return phi.time().deltaTValue() * gMax(all);
+}
+
+Foam::string Foam::CourantGuard::reasonToStop(const scalar Co) const
+{
+    const scalar dt = phi_.time().deltaTValue();
+    if (!(Co < GREAT)) return "the velocity is not finite";
+    if (Co > largest_)
+    {
+        return "Courant number " + Foam::name(Co) + ", limit " +
+               Foam::name(largest_);
+    }
+    if (dt < 1e-6 * longest_)
+    {
+        return "the time step has shrunk from " + Foam::name(longest_) +
+               " to " + Foam::name(dt);
+    }
+    return string::null;
+}
+
+void Foam::CourantGuard::keepStableStep(const scalar Co)
+{
+    if (!(Co > 0 && (Co <= stable_ || borne_ == 0))) return;
+    const scalar borne =
+        min(stable_, scalar(1)) * phi_.time().deltaTValue() / Co;
+    borne_ = borne_ > 0 ? min(borne_, borne) : borne;
+}
+
+void Foam::CourantGuard::warn(const scalar Co)
+{
+    // An adjusted step is adjusted to the velocity before: 5 % are allowed
+    const Time& time = phi_.time();
+    if (Co <= 1.05 * stable_ || !warning_.due(time.timeIndex())) return;
+    warning_.warned(time.timeIndex());
+    if (!Pstream::master()) return;
+    const scalar dt = time.deltaTValue();
+    WarningInFunction << "Courant number " << Foam::name(Co) << " at time "
+                      << time.timeName() << " is above " << Foam::name(stable_)
+                      << ", the largest for " << who_.c_str() << nl
+                      << "    Reduce deltaT from " << Foam::name(dt)
+                      << " to less than " << Foam::name(stable_ * dt / Co)
+                      << ", or write adjustTimeStep yes; maxCo "
+                      << Foam::name(0.5 * stable_)
+                      << "; in system/controlDict"
+                      << (remedy_.empty() ? "" : ", or ") << remedy_.c_str()
+                      << endl;
+}
+
+void Foam::CourantGuard::check(const scalar Co,
+                               const std::function<void()>& beforeStop)
+{
+    longest_ = max(longest_, phi_.time().deltaTValue());
+    const string reason(reasonToStop(Co));
+    if (!reason.empty()) stop(reason, Co, beforeStop);
+    keepStableStep(Co);
+    warn(Co);
+}
+
+void Foam::CourantGuard::checkSolved(
+    const word& field, const scalar residual,
+    const std::function<void()>& beforeStop) const
+{
+    if (residual < 10) return;
+    const scalar Co = CourantNo(phi_);
+    stop("the linear solver of " + field + " diverges, residual " +
+             Foam::name(residual) + ", at Courant number " + Foam::name(Co),
+         Co, beforeStop);
+}
+
+void Foam::CourantGuard::stop(const string& reason, const scalar Co,
+                              const std::function<void()>& beforeStop) const
+{
+    const Time& time = phi_.time();
+    const bool starting = time.timeIndex() == time.startTimeIndex();
+    if (!starting) beforeStop();
+    const point where(worstCell(phi_));
+    if (!starting) lastStep::writeBeforeStop(time, reason);
+
+    const scalar dt = time.deltaTValue();
+    const scalar borne =
+        borne_ > 0 ? borne_ : min(stable_, scalar(1)) * dt / max(Co, VSMALL);
+    OStringStream allowed;
+    if (borne < dt)
+    {
+        allowed << "allowed: deltaT up to about " << Foam::name(borne)
+                << ", for " << who_.c_str();
+    }
+    else
+    {
+        allowed << "deltaT was below the flow's own limit, "
+                << Foam::name(borne) << ": "
+                << (bodies_ ? "bodies, forces" : "forces")
+                << " or conditions need a smaller one";
+    }
+    firstRankSpeaks();
+    FatalErrorInFunction
+        << (starting ? "the time step is too large" : "the flow diverges")
+        << " at time " << time.timeName() << ", cell at " << where << ": "
+        << reason.c_str() << ", deltaT " << Foam::name(dt) << nl << "    "
+        << allowed.str().c_str() << nl
+        << (starting ? ""
+                     : "    The state has been written to this time; start "
+                       "again from an earlier one")
+        << exit(FatalError);
+}
