@@ -1,8 +1,9 @@
-"""drawAccuracyAndCost.py scenes.txt doc: doc/accuracy-and-cost.{md,csv,png} from what
-accuracyCost wrote for each scene (name, title, command)."""
+"""drawAccuracyAndCost.py scenes.txt folder: accuracy-and-cost.{md,csv,png} in it, from
+what accuracyCost wrote for each scene (name, title, command)."""
 import csv
 import os
 import sys
+import textwrap
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
@@ -11,18 +12,28 @@ from errorPlot import drawErrors
 
 scenes = [line.rstrip("\n").split("\t") for line in open(sys.argv[1])]
 doc = sys.argv[2]
+
+
+def wrapped(line):
+    """The line in lines of at most 120 characters"""
+    return textwrap.fill(line, 120, subsequent_indent="        " if line.startswith(" ") else "",
+                         break_long_words=False, break_on_hyphens=False)
+
+
 plt.rc("lines", markersize=4)
 figure, axes = plt.subplots(3, 3, figsize=(15, 12), constrained_layout=True)
 text = ["""# What accuracy costs
 
-Made by `tests/bench/accuracyAndCost`, which runs `bin/accuracyCost` on tutorials with other settings; your own case takes the same command. Of each setting that is varied the error is what the
-quantity at the end differs from the setting's own limit (Richardson's value or the finest, as written; that of the finest, hollow in the picture, is how sure the limit is). Errors of different settings add up. Core seconds are those of the run on one core of a busy
-machine (below a second the least of three runs): compare them with each other.
+Made by `tests/bench/accuracyAndCost`, which runs `bin/accuracyCost` on tutorials with other settings; your own case
+takes the same command. The error of each setting that is varied is the difference between the quantity at the end and
+the setting's own limit (Richardson's value or the finest, as written; that of the finest, hollow in the picture, is how
+sure the limit is). Errors of different settings add up. Core seconds are those of the run on one core of a busy machine
+(below a second the least of three runs): compare them with each other.
 
-Errors of the cells against values that no mesh has touched, boundary integrals, are in [accuracy.csv](accuracy.csv) and in the picture of the README (`tests/bench/accuracy`). What a run
-states of its own error, in its log and for `accuracy 0.01;`, follows laws that cover these curves and their scatter; they stand in one place each, of capsules
-[capsuleErrors.C](../src/deformableBodies/capsules/capsuleErrors.C), of filaments [filamentShape.C](../src/deformableBodies/filaments/filamentShape.C), of rigid bodies
-[rigidMotion.C](../src/deformableBodies/rigidBodies/rigidMotion.C) (`errors()`). On other scenes the true error is within the stated one (`tests/validation/expectedErrors`).
+Errors of the cells against values that no mesh has touched, boundary integrals, are in [accuracy.csv](accuracy.csv) and
+in the picture of the README (`tests/bench/accuracy`). The error that a run states of itself, in its log and for
+`accuracy 0.01;`, follows laws that cover these curves and their scatter; they stand in the function `errors()` of each
+kind of body. On other scenes the true error is within the stated one (`tests/validation/expectedErrors`).
 
 ![Error against core seconds](accuracy-and-cost.png)
 """]
@@ -35,7 +46,8 @@ for (name, title, command), axis in zip(scenes, axes.flat):
     axis.legend(fontsize=8)
     rows += [[name, quantity, *r] for r in own]
     told = [line.rstrip() for line in open(name + ".log") if not line.startswith(("[", "Written"))]
-    text.append("## %s\n\n`%s`\n\n```\n%s\n```\n" % (title, command, "\n".join(told).strip()))
+    text.append("## %s\n\n%s\n\n```\n%s\n```\n" % (title, wrapped("`%s`" % command),
+                                                    "\n".join(map(wrapped, told)).strip()))
 for axis in axes.flat[len(scenes):]:
     axis.axis("off")
 figure.savefig(doc + "/accuracy-and-cost.png", dpi=65)

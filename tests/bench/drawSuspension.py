@@ -1,4 +1,4 @@
-"""drawSuspension.py suspension.csv doc: doc/suspension.csv and doc/suspension.png"""
+"""drawSuspension.py suspension.csv folder: suspension.csv and suspension.png in it"""
 import csv
 import shutil
 import sys

@@ -1,4 +1,4 @@
-"""prices.py effects.csv doc: doc/effects.csv and doc/effects.md from the counts of prices"""
+"""prices.py effects.csv folder: effects.csv and effects.md in it, from the counts of prices"""
 import csv
 import shutil
 import sys
@@ -6,11 +6,13 @@ import sys
 rows = list(csv.DictReader(open(sys.argv[1])))
 head = """# What each effect costs
 
-Made by `tests/effects/prices`. An effect that a scene does not ask for costs nothing: with its entry at the off-value (ratio 1, modulus 0, `off`) a step calls the same functions, takes as many
-instructions within 0.1 %, asks for no more memory and gives the same digits as without the entry (`tests/effects/run -count`).
+Made by `tests/effects/prices`. An effect that a scene does not ask for costs nothing: with its entry at the off-value
+(ratio 1, modulus 0, `off`) a step calls the same functions, takes as many instructions within 0.1 %, asks for no more
+memory and gives the same digits as without the entry (`tests/effects/run -count`).
 
-Of a time step: instructions (counted by callgrind in a build without vector instructions) and microseconds (this build, the least of five runs on one core of a busy machine: a twentieth of a step is in the
-noise). "More" is against the scene without the effect, named behind it. What is left out and what it changes in a case of your own: `bin/effectPrice <case>`.
+The unit is a time step: instructions (counted by callgrind in a build without vector instructions) and microseconds
+(this build, the least of five runs on one core of a busy machine: a twentieth of a step is in the noise). "More" is
+against the scene without the effect, named behind it. For a case of your own: `bin/effectPrice <case>`.
 """
 
 
