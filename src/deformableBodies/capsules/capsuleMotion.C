@@ -110,7 +110,7 @@ void Foam::capsuleGroup::setMotion(const dictionary& dict)
                                     : "motion " + words[motion]);
 }
 
-// What is known of its limits: doc/methods.md
+// What is known of its limits: doc/choosing.md
 void Foam::capsuleGroup::setNearField(const dictionary& dict,
                                       const scalar extent)
 {

@@ -214,7 +214,7 @@ void Foam::staggeredFlow::takeRK3()
 void Foam::staggeredFlow::chooseTimeScheme(const scalar deltaT,
                                            const bool adjusted)
 {
-    // Measured cost of a step of RK3 over one of AB2 (doc/methods.md)
+    // Measured cost of a step of RK3 over one of AB2 (doc/developer/speed.md)
     const scalar dearer = 2.3;
     if (timeScheme_ != "auto" || RK3_ || !convection_) return;
     const scalar rate = max(CourantNo(1), VSMALL);
