@@ -167,6 +167,9 @@ googleTests()
     failed=$((failed + ran))
 }
 
+# tool <module>.<function> [arguments]: what a function of tests/tools returns
+tool() { "$DEFORMABLE_BODIES_DIR/bin/python" "$DEFORMABLE_BODIES_DIR/tests/tools/call.py" "$@"; }
+
 # relative <a> <b>: difference, relative to b
 relative() { awk -v a="$1" -v b="$2" 'BEGIN { d = a/b - 1; print d < 0 ? -d : d }'; }
 
@@ -228,21 +231,7 @@ END
 # time, all columns relative
 difference()
 {
-    "$DEFORMABLE_BODIES_DIR/bin/python" - "$@" <<'END'
-import sys
-import numpy as np
-a, b = (np.loadtxt(f, ndmin=2) for f in sys.argv[1:3])
-keys, floor = (1, 0) if sys.argv[3:] == ["table"] else (2, 1)
-key = lambda r: (round(r[0], 9), *r[1:keys])
-rows = {key(r): r for r in b}
-common = [(r, rows[key(r)]) for r in a if key(r) in rows]
-# A run that broke off is no agreement
-if not common or a[-1][0] != b[-1][0]:
-    print("nan")
-    sys.exit()
-x, y = (np.array(v)[:, keys:] for v in zip(*common))
-print("%.2e" % (np.abs(x - y) / np.maximum(np.abs(x).max(0), floor)).max())
-END
+    tool dat.difference "$@"
 }
 
 # sceneCase <family/scene> <folder> [entry value]...: a tutorial with
@@ -263,14 +252,7 @@ sceneCase()
 }
 
 # peak <command>...: largest resident memory in bytes
-peak()
-{
-    "$DEFORMABLE_BODIES_DIR/bin/python" - "$@" <<'PY'
-import resource, subprocess, sys
-subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-print(1024 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)
-PY
-}
+peak() { tool memory.largest "$@"; }
 
 # The shear case in here, periodic all round and at rest
 makePeriodic()
@@ -296,18 +278,4 @@ P
 # scattered <number> <half x> <half y> <half z> [<length> <gap>]: the entries
 # positions and directions of filaments anywhere in a box about the origin; those
 # of a length end that far from the walls in y
-scattered()
-{
-    "$DEFORMABLE_BODIES_DIR/bin/python" - "$@" <<'PY'
-import sys
-import numpy as np
-number, half, beyond = int(sys.argv[1]), np.array(sys.argv[2:5], float), sum(map(float, sys.argv[5:]))
-r = np.random.default_rng(1)
-t = r.normal(size=(number, 3))
-t /= np.linalg.norm(t, axis=1)[:, None]
-x = r.uniform(-half, half, (number, 3))
-x[:, 1] *= 1 - beyond/half[1]
-rows = lambda v: "(" + "".join("(%.9g %.9g %.9g)\n" % tuple(p) for p in v) + ");"
-print("positions " + rows(x) + "\ndirections " + rows(t))
-PY
-}
+scattered() { tool scenes.scattered "$@"; }

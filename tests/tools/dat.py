@@ -1,0 +1,93 @@
+"""Files .dat of bodies and samples: a line of names that begins with #, then numbers."""
+import glob
+import numpy as np
+
+
+class Table:
+    """Columns by name, rows in the order of the file."""
+
+    def __init__(self, file):
+        with open(file) as f:
+            first = f.readline()
+        self.names = first.split()[1:] if first.startswith("#") else []
+        self.rows = np.loadtxt(file, ndmin=2)
+
+    def __getitem__(self, name):
+        return self.rows[:, self.names.index(name)]
+
+
+def difference(a, b, kind="bodies"):
+    """Largest difference of two files over the rows of equal time and body, relative to
+    the largest value of the column, or to 1 where that is larger. kind table: rows of
+    equal time, all columns relative to their own values. Not a number where the last
+    times differ: a run that broke off is no agreement."""
+    a, b = Table(a).rows, Table(b).rows
+    keys, floor = (1, 0) if kind == "table" else (2, 1)
+    key = lambda row: (round(row[0], 9), *row[1:keys])
+    rows = {key(row): row for row in b}
+    common = [(row, rows[key(row)]) for row in a if key(row) in rows]
+    if not common or a[-1][0] != b[-1][0]:
+        return np.nan
+    x, y = (np.array(v)[:, keys:] for v in zip(*common))
+    return "%.2e" % (np.abs(x - y) / np.maximum(np.abs(x).max(0), floor)).max()
+
+
+def lastDifference(folder, run, other, column):
+    """Of the first file of bodies in two runs: largest difference of a column over the
+    bodies at the last time, relative to the largest value of the first run, and both
+    means."""
+    values = []
+    for case in (run, other):
+        table = Table(sorted(glob.glob("%s/%s/postProcessing/bodies/0/*.dat" % (folder, case)))[0])
+        time = table.rows[:, 0]
+        last = table.rows[time == time[-1]]
+        x = last[np.argsort(last[:, 1]), table.names.index(column)]
+        values.append((time[-1], x, abs(table[column]).max()))
+    (t, a, size), (s, b, _) = values
+    worst = abs(a - b).max() / size if abs(t - s) < 1e-6 else np.nan
+    return "%.5g" % worst, a.mean(), b.mean()
+
+
+def dragAndSlip(file):
+    """Of bundles: total force along x (mean of the last tenth of three units of time),
+    largest slip of the second half and of the first."""
+    table = Table(file)
+    time, force, slip = (table[name] for name in ("time", "forceX", "slip"))
+    last = time > 2.7
+    return force[last].sum() / len(np.unique(time[last])), slip[time > 1.5].max(), slip[time <= 1.5].max()
+
+
+def settling(file, slope=""):
+    """Velocity of a sphere of weight along (0.6 -0.8 0) over that of a periodic array of
+    spheres (box of 8 radii), velocity across and slip over Stokes' velocity. With slope
+    the velocity is that of the places after t = 0.3, and there is no slip."""
+    import theory
+    table = Table(file)
+    if slope:
+        late = table["time"] > 0.3
+        u, v = (np.polyfit(table["time"][late], table.rows[late, c], 1)[0] for c in (2, 3))
+        slip = []
+    else:
+        u, v, slip = table.rows[-1][[5, 6, -1]]
+        slip = ["%.1e" % (slip / theory.stokes)]
+    array = theory.hasimoto(4 / 3 * np.pi / 8**3)
+    return ("%.5f" % ((0.6 * u - 0.8 * v) / (theory.stokes * array)),
+            "%.1e" % (abs(0.8 * u + 0.6 * v) / theory.stokes), *slip)
+
+
+def halfTurn(file):
+    """Time in which a spheroid whose axis is in columns 11 and 12 has turned by 2 pi."""
+    d = Table(file).rows
+    angle = np.unwrap(2 * np.arctan2(d[:, 12], d[:, 11])) / 2
+    return np.interp(2 * np.pi, -angle, d[:, 0])
+
+
+def kineticEnergy(file, cells: int):
+    """Of ABC flow of amplitude 1 in a box of 2 pi after t = 150: largest departure from
+    the energy of its discrete curl, and drift between the halves of that time."""
+    t, K = np.loadtxt(file).T[:2]
+    h = 2 * np.pi / cells
+    late = t > 150
+    ratio = K[late] / (1.5 * (1 + h * h / 6))
+    n = late.sum() // 2
+    return "%.3e" % abs(ratio - 1).max(), "%.3e" % abs(ratio[:n].mean() - ratio[n:].mean())

@@ -1,0 +1,73 @@
+"""Fields of OpenFOAM's files, ascii or binary: values of the cells."""
+import glob
+import re
+import numpy as np
+
+
+def vectors(file):
+    """Internal field of vectors, n x 3."""
+    with open(file, "rb") as f:
+        data = f.read()
+    binary = re.search(rb"format\s+(\w+);", data)[1] == b"binary"
+    begin = data.index(b"internalField")
+    count = re.compile(rb"nonuniform\s+List<vector>\s*(\d+)\s*\(").search(data, begin)
+    n, begin = int(count[1]), count.end()
+    if binary:
+        return np.frombuffer(data, "<f8", 3 * n, begin).reshape(n, 3)
+    words = data[begin:].replace(b"(", b" ").replace(b")", b" ").split(None, 3 * n)
+    return np.array(words[:3 * n], float).reshape(n, 3)
+
+
+def difference(a, b):
+    """Largest difference of two fields of vectors, relative to the largest value."""
+    a, b = vectors(a), vectors(b)
+    return "%.2e" % (np.abs(a - b).max() / np.abs(b).max())
+
+
+def meanX(file):
+    """Mean absolute value of the first component."""
+    return "%.17g" % np.abs(vectors(file)[:, 0]).mean()
+
+
+def resultant(file, other=None):
+    """Sum of a field of forces over its largest value, or the largest difference from
+    another field."""
+    f = vectors(file)
+    left = f.sum(0) if other is None else f - vectors(other)
+    return "%.3g" % (abs(left).max() / abs(f).max())
+
+
+def taylorGreen(file, n: int):
+    """Largest error of the first component of Taylor and Green's vortices (box 8, nu 0.2,
+    time 1, n^3 cells), over what is left of them. The fluxes of the start are averages of
+    cells, the velocity at the end is one of fluxes: each averages once."""
+    U = vectors(file)[:, 0].reshape(n, n, n)
+    x = -4 + (np.arange(n) + 0.5) * 8 / n
+    k = np.pi / 4
+    decay = np.exp(-2 * 0.2 * k * k)
+    exact = decay * np.sin(k * x)[None, None, :] * np.cos(k * x)[None, :, None] * np.cos(k * 4 / n)**2
+    return "%.4e" % (np.abs(U - exact).max() / decay)
+
+
+def agreement():
+    """Of the flows staggered<n> and pimple<n>, n = 16, 32, 64, at time 0.48: mean square
+    differences of the velocity, their order, and the difference of the pressure gradients
+    at n = 64."""
+    U = lambda algorithm, n: vectors("%s%d/0.48/U" % (algorithm, n))
+    d = [np.sqrt(np.mean((U("staggered", n) - U("pimple", n))**2)) for n in (16, 32, 64)]
+    gradient = lambda folder: float(re.findall(r"pressure gradient = (\S+)", open(folder + "/log.run").read())[-1])
+    g = [gradient("staggered64"), gradient("pimple64")]
+    return (*("%.3e" % x for x in d), "%.2f" % np.log2(d[1] / d[2]), "%.2e" % abs(g[0] / g[1] - 1))
+
+
+def wallViscosity(half: float, cells: int):
+    """Viscosity of a suspension between walls at rate 1 over that of the fluid, from the
+    velocity beside the walls: mean over the times written from 2 on, its standard error,
+    and how many they are."""
+    values = []
+    for name in set(glob.glob("[0-9]*/U")) - {"0.orig/U"}:
+        if float(name.split("/")[0]) >= 2:
+            layers = vectors(name)[:, 0].reshape(cells, cells, cells).mean(axis=(0, 2))
+            values.append(0.5 * ((half - layers[-1]) + (layers[0] + half)) / (half / cells))
+    values = np.array(values)
+    return values.mean(), values.std() / np.sqrt(len(values) / 4), len(values)

@@ -1,0 +1,264 @@
+"""Tests of the modules in this folder: a function a claim. Prints a line for each and the
+count; the exit status is that of the count."""
+import contextlib
+import io
+import itertools
+import os
+import sys
+import tempfile
+import numpy as np
+import call
+import dat
+import distances
+import fields
+import memory
+import places
+import scenes
+import theory
+import vtp
+
+
+def near(a, b, tolerance=1e-12):
+    assert np.all(np.abs(np.asarray(a, float) - b) <= tolerance), (a, b)
+
+
+def refuses(error, function, *arguments):
+    try:
+        function(*arguments)
+    except error:
+        return
+    raise AssertionError("%s%s goes on" % (function.__name__, arguments))
+
+
+def file(name, text):
+    mode = "wb" if isinstance(text, bytes) else "w"
+    with open(name, mode) as f:
+        f.write(text)
+    return name
+
+
+def picture(name, points, lines=(), polygons=()):
+    """A file .vtp as the solver writes it, in ASCII."""
+    def cells(kind, rows):
+        ends = np.cumsum([len(r) for r in rows])
+        return "<%s><DataArray type='Int64' Name='connectivity'>%s</DataArray><DataArray type='Int64' " \
+            "Name='offsets'>%s</DataArray></%s>" % (kind, " ".join(str(i) for r in rows for i in r),
+                                                   " ".join(map(str, ends)), kind)
+    return file(name, "<VTKFile type='PolyData' version='1.0'><PolyData><Piece NumberOfPoints='%d' NumberOfLines='%d' "
+                "NumberOfPolys='%d'><Points><DataArray type='Float64' NumberOfComponents='3'>%s</DataArray></Points>%s%s"
+                "<PointData><DataArray type='Float64' Name='body'>%s</DataArray></PointData></Piece></PolyData></VTKFile>"
+                % (len(points), len(lines), len(polygons), " ".join("%.17g" % x for p in points for x in p),
+                   cells("Lines", lines), cells("Polys", polygons), " ".join("0" for p in points)))
+
+
+def cubes(name, *corners, side=1):
+    """A picture of cubes of squares, from their lowest corners."""
+    unit = np.array(list(itertools.product((0, 1), repeat=3)))
+    squares = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
+    return picture(name, [p for c in corners for p in side * unit + c],
+                   polygons=[[8 * k + i for i in s] for k in range(len(corners)) for s in squares])
+
+
+bodies = "# time body x\n# [s] [number] [m]\n%g 0 %.17g\n%g 1 %.17g\n"
+
+
+def columnsOfTablesHaveNames():
+    table = dat.Table(file("a.dat", bodies % (0.1, 2, 0.1, 3)))
+    near(table["x"], [2, 3])
+    refuses(ValueError, lambda: table["y"])
+
+
+def differencesAreRelativeToTheLargestValue():
+    a, b = file("a.dat", bodies % (0.1, 2, 0.1, 4)), file("b.dat", bodies % (0.1, 2, 0.1, 4.0004))
+    near(dat.difference(a, b), 1e-4, 1e-15)
+    near(dat.difference(a, a), 0)
+
+
+def smallColumnsCountAbsolutelyButInTables():
+    a, b = file("a.dat", "0 0 1e-3\n1 1 1e-3\n"), file("b.dat", "0 0 1e-3\n1 1 2e-3\n")
+    near(dat.difference(a, b), 1e-3, 1e-15)
+    near(dat.difference(a, b, "table"), 1, 1e-12)
+
+
+def runsThatBrokeOffDoNotAgree():
+    a, b = file("a.dat", bodies % (0.1, 2, 0.1, 4)), file("b.dat", bodies % (0.1, 2, 0.2, 4))
+    assert np.isnan(dat.difference(a, b))
+
+
+def fieldsAreTheSameInBothFormats():
+    values = np.arange(12.).reshape(4, 3) / 7
+    header = "FoamFile { format %s; class volVectorField; }\ninternalField   nonuniform List<vector> \n4\n("
+    file("ascii", header % "ascii" + "\n".join("(%.17g %.17g %.17g)" % tuple(v) for v in values) + "\n);")
+    file("binary", (header % "binary").encode() + values.tobytes() + b");")
+    near(fields.vectors("ascii"), values, 0)
+    near(fields.vectors("binary"), values, 0)
+    near(fields.difference("ascii", "binary"), 0)
+    near(fields.resultant("ascii"), values.sum(0).max() / values.max(), 5e-3)
+
+
+def linesComeInTheirOrder():
+    x = np.array([(0, 0, 0), (1, 0, 0), (2, 1, 0), (0, 0, 5), (0, 1, 5)])
+    lines = vtp.lines(picture("lines.vtp", x, lines=[(0, 1, 2), (4, 3)]))
+    near(lines[0], x[:3])
+    near(lines[1], x[[4, 3]])
+
+
+def surfacesComeApart():
+    parts = vtp.bodies(cubes("cubes.vtp", (0, 0, 0), (3, 0, 0), (0, 5, 0)))
+    assert sorted(p.GetBounds()[::2] for p in parts) == [(0, 0, 0), (0, 5, 0), (3, 0, 0)]
+    assert [p.GetNumberOfPoints() for p in parts] == [8, 8, 8]
+
+
+def segmentsMeetBetweenEndsOrAtThem():
+    at = lambda *v: np.array(v, float)
+    d = lambda p, q, r, s: float(distances.segments(at(*p), at(*q), at(*r), at(*s)))
+    near(d((-1, 0, 0), (1, 0, 0), (0, -1, 0.3), (0, 1, 0.3)), 0.3)
+    near(d((-1, 0, 0), (1, 0, 0), (0, 2, 0), (0, 3, 0)), 2)
+    near(d((-1, 0, 0), (1, 0, 0), (2, 1, 0), (3, 1, 0)), 2**0.5)
+    near(d((0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)), 1)
+    near(d((0, 0, 0), (0, 0, 0), (3, 4, 0), (3, 4, 0)), 5)
+
+
+def segmentsAreAsNearAsAllTheirPoints():
+    random = np.random.default_rng(3)
+    s = np.linspace(0, 1, 201)[:, None]
+    for _ in range(50):
+        p, q, r, t = random.normal(size=(4, 3))
+        a, b = p + s * (q - p), r + s * (t - r)
+        brute = np.linalg.norm(a[:, None] - b[None], axis=-1).min()
+        d = float(distances.segments(p, q, r, t))
+        assert d <= brute + 1e-12 and brute - d < 0.03, (d, brute)
+
+
+def linesAreNearAcrossPeriodicSides():
+    a, b = np.array([(-3.9, 0, 0), (-3.9, 1, 0)]), np.array([(3.8, 0, 0), (3.8, 1, 0)])
+    near(distances.closestLines([a, b], 8), 0.3)
+    near(distances.closestLines([a, b + (0, 1.2, 0)], 8), np.hypot(0.3, 0.2))
+    picture("up.vtp", a, lines=[(0, 1)])
+    picture("down.vtp", b, lines=[(0, 1)])
+    near(distances.closest(8, "up.vtp,down.vtp"), 0.3)
+    assert distances.closest(8) == "nan"
+
+
+def aLineMeetsItself():
+    t = np.linspace(0, 1, 50)[:, None]
+    there = np.hstack([3 * t, 0 * t, 0 * t])
+    x = np.vstack([there, [[3, 0.2, 0]], there[::-1] + (0, 0.2, 0)])
+    near(distances.ownParts(x, 1), 0.2, 1e-3)
+    near(distances.ownParts(there, 1), 1, 0.01)
+
+
+def pointsWithinOthersAreCounted():
+    assert distances.enclosed(cubes("apart.vtp", (0, 0, 0), (1.5, 0, 0))) == 0
+    assert distances.enclosed(cubes("over.vtp", (0, 0, 0), (0.5, 0.5, 0.5))) == 2
+    assert np.isnan(distances.enclosed(cubes("one.vtp", (0, 0, 0))))
+
+
+def surfacesThatCrossAreFoundThroughPeriodicSides():
+    pairs = lambda shift, *corners: distances.crossingPairs(vtp.bodies(cubes("c.vtp", *corners)), 8, shift)
+    assert pairs(0, (0, 0, 0), (1.5, 0.1, 0.1)) == 0
+    assert pairs(0, (0, 0, 0), (0.5, 0.1, 0.1)) == 1
+    assert pairs(0, (-4, 0, 0), (3.5, 0.1, 0.1)) == 1
+    assert pairs(0.7, (0, 0, 0), (1.5, 0.1, 0.1)) + pairs(0.7, (1.5, 0.1, 0.1), (0, 0, 0)) == 1
+
+
+def depthsHaveASign():
+    surface = vtp.read(cubes("cube.vtp", (0, 0, 0), side=2))
+    near(distances.beyond(surface, [(1, 1, 1.5)]), -0.5)
+    near(distances.beyond(surface, [(1, 1, 1.5), (1, 1, 2.25)]), 0.25)
+
+
+def placesAreReadAndMeasured():
+    file("places", "positions ((0 0 0)\n(0 3 3.5)\n);\ndirections ((0 0 1)\n(1 0 0)\n);\n")
+    assert places.number("places") == 2
+    near(places.highest("places"), 3)
+    near(places.least("places", 8), np.hypot(3, 3.5))
+    near(places.least("places", 8, 3), np.hypot(3, 0.5))
+    near(places.offZ("places"), 1)
+
+
+def fibresStayFromWalls():
+    file("places", scenes.scattered(40, 4, 4, 4, 1, 0.5))
+    x, t = places.read("places")
+    near(np.linalg.norm(t, axis=1), 1, 1e-8)
+    assert len(x) == 40 and abs(x[:, 1]).max() <= 2.5 and 3 < abs(x[:, 0]).max() <= 4
+
+
+def surfacesOfFilesAreClosed():
+    for text, count in ((scenes.octahedron(-1), 8), (scenes.ellipsoid(4), 48), (scenes.bowTie(), 8)):
+        vertices = [line.split(None, 1)[1] for line in text.splitlines() if line.startswith("vertex")]
+        edges = [(a, b) for k in range(0, len(vertices), 3)
+                 for a, b in zip(vertices[k:k + 3], vertices[k + 1:k + 3] + vertices[k:k + 1])]
+        assert len(vertices) == 3 * count and sorted(edges) == sorted((b, a) for a, b in edges)
+
+
+def oneTriangleIsTurned():
+    assert sum(a != b for a, b in zip(scenes.octahedron(-1).splitlines(), scenes.octahedron(3).splitlines())) == 2
+
+
+def blocksOfDocumentsAreFound():
+    file("page", "text\n\n    a 1;\n\n    b { c 2; }\nmore\n    d;\n")
+    assert scenes.indented("page") == ["a 1;\n\nb { c 2; }\n", "d;\n"]
+
+
+def spheresResistAsInTables():
+    # Brenner 1961, Goldman, Cox & Brenner 1967
+    near(theory.sphereResistance("towards", np.cosh(1) - 1), 3.0361, 1e-3)
+    near(theory.sphereResistance("along", 0.5431), 1.5675, 0.01)
+    near(theory.sphereResistance("spheres", 1e3), 1, 2e-3)
+
+
+def sparseArraysSettleAsOneSphere():
+    near(theory.hasimoto(0), 1)
+    near(theory.hasimoto(0.001), 1 - 0.17601 + 0.001, 1e-5)
+
+
+def cylindersAreTheirOwnInverse():
+    radius, side = 0.5, 8
+    c = np.pi * radius**2 / side**2
+    drag = 4 * np.pi / (-0.5 * np.log(c) - 0.738168 + c - 0.887 * c * c)
+    near(theory.cylinderRadius(drag, side, 0), radius, 1e-4)
+
+
+def capsulesGoToTheSameDWithAndWithoutACore():
+    # 25/12 Ca of a neo-Hookean membrane (Barthes-Biesel & Rallison 1981)
+    for kappa in (0, 0.5):
+        near(theory.coreDeformation(np.array([1e3]), kappa), 25 / 12, 1e-9)
+
+
+def programsTakeMemory():
+    assert memory.largest(sys.executable, "-c", "x = bytearray(200000000)") > 2e8
+
+
+def callsConvertAndPrint():
+    out = io.StringIO()
+    with contextlib.redirect_stdout(out):
+        call.main("theory.hasimoto", "0")
+        call.main("scenes.octahedron", "3")
+    lines = out.getvalue().splitlines()
+    assert lines[0] == "nan" or float(lines[0]) == 1
+    assert lines[1] == "solid surface"
+    assert call.text((1, 0.5, "a")) == "1 0.5 a" and call.text(np.float64(1 / 3)) == "0.333333"
+    refuses(AttributeError, call.main, "dat.nothing")
+
+
+def main():
+    tests = [f for f in list(globals().values())
+             if getattr(f, "__module__", "") == __name__ and f.__code__.co_argcount == 0 and f is not main]
+    tests = [f for f in tests if not f.__code__.co_flags & 4]
+    failed = 0
+    for test in tests:
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            try:
+                test()
+                print("pass: " + test.__name__)
+            except Exception as error:
+                failed += 1
+                print("FAIL: %s: %s: %s" % (test.__name__, type(error).__name__, error))
+            os.chdir("/")
+    print("%d passed, %d failed" % (len(tests) - failed, failed))
+    sys.exit(failed > 0)
+
+
+main()
