@@ -8,6 +8,19 @@ mkdir -p "$runs"
 passed=0
 failed=0
 
+# How much of a script runs: with -quick one scene for each of its claims, with -long also
+# what takes long or shows the same again. Scripts of one length take no notice
+extent=default
+for argument
+do
+    case $argument in -quick | -long) extent=${argument#-} ;; esac
+done
+isQuick() { [ "$extent" = quick ]; }
+isLong() { [ "$extent" = long ]; }
+
+# End of a script with -quick
+endOfQuick() { ! isQuick || finish; }
+
 # A line for each change of a file that could not be made: subshells cannot count
 lost=$(mktemp) || exit 1
 trap 'rm -f "$lost"' EXIT
@@ -169,6 +182,12 @@ googleTests()
 
 # tool <module>.<function> [arguments]: what a function of tests/tools returns
 tool() { "$DEFORMABLE_BODIES_DIR/bin/python" "$DEFORMABLE_BODIES_DIR/tests/tools/call.py" "$@"; }
+
+# Limits of the difference of runs on different ranks, relative to the largest value of each
+# column. Sums are made in one order: 2e-14 at most is measured. Newton's method of fibres
+# leaves 1e-12 of their lengths: 2e-12 is measured
+ranksLimit=1e-12
+fibresLimit=1e-11
 
 # relative <a> <b>: difference, relative to b
 relative() { awk -v a="$1" -v b="$2" 'BEGIN { d = a/b - 1; print d < 0 ? -d : d }'; }

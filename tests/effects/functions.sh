@@ -20,7 +20,7 @@ scene()
     local dir=$1 group=$2
     shift 2
     shearCase "$dir" Re 10 cells 16 endTime 0.08 "$@"
-    # The option is for stock solvers only
+    # Entries of the tutorial for stock solvers
     rm constant/fvOptions
     entry system/controlDict writeInterval "$(awk '$1 == "endTime" { print $2 / 2 }' constant/scene)" writeFormat binary
     cat > constant/deformableBodies <<END

@@ -1,4 +1,4 @@
-"""What callgrind counted in the time steps of cases, a file callgrind.<n> for each.
+"""Counts of callgrind in the time steps of cases, a file callgrind.<n> for each.
 
     equal A B CLASSES   is the step of B that of A? Prints "instructions ..." if it is:
                         as many within 0.1 %, no other functions, no more calls of malloc,
@@ -16,8 +16,8 @@ def read(file):
     total, functions, allocations, called = 0, set(), 0, None
     for line in open(file):
         if line.startswith("fn="):
-            # Functions of the C library depend on the state of its heap; isActive() is also
-            # called for sources that are not active
+            # Functions of the C library come and go with the state of its heap; a source that
+            # is not active is asked that
             if "Foam::" in line and "isActive" not in line:
                 functions.add(line[3:].strip())
         elif line.startswith("cfn="):
@@ -31,7 +31,7 @@ def read(file):
 
 
 def step(case):
-    """That of the median of the instructions; the first two make what later ones keep."""
+    """The step with the median of the instructions; the first two make what later ones keep."""
     files = [f for f in glob.glob(case + "/callgrind.[0-9]*") if int(f.rpartition(".")[2]) > 3]
     if len(files) < 3:
         sys.exit("no counts in " + case)
@@ -55,7 +55,7 @@ def equal(a, b, classes):
 
 
 def share(case, functions):
-    """Of the last step."""
+    """Counts of the last step."""
     numbers = [int(f.rpartition(".")[2]) for f in glob.glob(case + "/callgrind.[0-9]*")]
     inside, caller, called, total, pending = 0, "", "", 0, False
     for line in open("%s/callgrind.%d" % (case, max(numbers) - 1)):

@@ -33,7 +33,7 @@ def difference(a, b, kind="bodies"):
 
 
 def lastDifference(folder, run, other, column):
-    """Of the first file of bodies in two runs: largest difference of a column over the
+    """First file of bodies in two runs: largest difference of a column over the
     bodies at the last time, relative to the largest value of the first run, and both
     means."""
     values = []
@@ -49,7 +49,7 @@ def lastDifference(folder, run, other, column):
 
 
 def dragAndSlip(file):
-    """Of bundles: total force along x (mean of the last tenth of three units of time),
+    """Drag of bundles: total force along x (mean of the last tenth of three units of time),
     largest slip of the second half and of the first."""
     table = Table(file)
     time, force, slip = (table[name] for name in ("time", "forceX", "slip"))
@@ -83,7 +83,7 @@ def halfTurn(file):
 
 
 def kineticEnergy(file, cells: int):
-    """Of ABC flow of amplitude 1 in a box of 2 pi after t = 150: largest departure from
+    """ABC flow of amplitude 1 in a box of 2 pi after t = 150: largest departure from
     the energy of its discrete curl, and drift between the halves of that time."""
     t, K = np.loadtxt(file).T[:2]
     h = 2 * np.pi / cells

@@ -81,10 +81,10 @@ def refined(x, parts):
     return x[i] + (s - i)[:, None] * (x[i + 1] - x[i])
 
 
-def enclosed(file):
-    """Number of points of a body that lie inside another, of one picture."""
+def enclosed(*files):
+    """Largest number of points of bodies that lie inside others, of all pictures."""
     import vtp
-    return enclosedPoints(vtp.bodies(file))
+    return max(enclosedPoints(vtp.bodies(file)) for file in files)
 
 
 def enclosedPoints(bodies):

@@ -49,15 +49,15 @@ def taylorGreen(file, n: int):
     return "%.4e" % (np.abs(U - exact).max() / decay)
 
 
-def agreement():
-    """Of the flows staggered<n> and pimple<n>, n = 16, 32, 64, at time 0.48: mean square
-    differences of the velocity, their order, and the difference of the pressure gradients
-    at n = 64."""
+def agreement(*cells: int):
+    """Agreement of the flows staggered<n> and pimple<n> of two numbers of cells at time 0.48: mean
+    square differences of the velocity, their order, and the difference of the pressure
+    gradients of the finer."""
     U = lambda algorithm, n: vectors("%s%d/0.48/U" % (algorithm, n))
-    d = [np.sqrt(np.mean((U("staggered", n) - U("pimple", n))**2)) for n in (16, 32, 64)]
+    d = [np.sqrt(np.mean((U("staggered", n) - U("pimple", n))**2)) for n in cells]
     gradient = lambda folder: float(re.findall(r"pressure gradient = (\S+)", open(folder + "/log.run").read())[-1])
-    g = [gradient("staggered64"), gradient("pimple64")]
-    return (*("%.3e" % x for x in d), "%.2f" % np.log2(d[1] / d[2]), "%.2e" % abs(g[0] / g[1] - 1))
+    g = [gradient("%s%d" % (algorithm, cells[-1])) for algorithm in ("staggered", "pimple")]
+    return (*("%.3e" % x for x in d), "%.2f" % np.log2(d[0] / d[1]), "%.2e" % abs(g[0] / g[1] - 1))
 
 
 def wallViscosity(half: float, cells: int):

@@ -86,7 +86,7 @@ def biconcaveSurface(number):
 
 
 def halfThickness(r2):
-    """Of a biconcave cell of radius 1, at the square of the distance from its axis."""
+    """Half the thickness of a biconcave cell of radius 1, at the square of the distance from its axis."""
     return 0.5 * np.sqrt(np.maximum(0, 1 - r2)) * (0.207 + 2.003 * r2 - 1.123 * r2**2)
 
 

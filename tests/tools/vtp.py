@@ -90,7 +90,7 @@ def lowest(group):
 
 
 def tensionNoise(group, resolution: float):
-    """Of the later half of a group's pictures: largest tension, and the largest departure
+    """Later half of a group's pictures: largest tension, and the largest departure
     (root mean square) from its mean within a cell, over that tension. resolution: cells
     per unit of length."""
     highest, noise = [], []

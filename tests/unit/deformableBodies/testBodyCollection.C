@@ -90,8 +90,8 @@ TEST(BodyCollection, aStepCanBeTakenBack)
     }
 }
 
-// Files of a mesh region are in folders of the region, so that the files of another mesh are
-// not overwritten
+// Files of a mesh region have their own place, as that of another
+// mesh of the same case must not be overwritten
 TEST(BodyCollection, aRegionHasItsOwnPlace)
 {
     if (Pstream::parRun()) return;

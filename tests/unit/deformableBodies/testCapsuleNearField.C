@@ -133,8 +133,7 @@ TEST(CapsuleNearField, followsTheLoad)
     expectBelow("at once: difference from slow flow",
                 step(memory, 1e6 * sqr(h) / nu, 1), 1e-5);
 
-    // Share of the response that remains after a time decays between exp(-t nu/h^2) and
-    // exp(-t nu/a^2)
+    // Rest after a time, by exp(-s t): slower than h^2/nu, faster than a^2/nu
     memory.clear();
     step(memory, 1e-12, 0);
     scalar last = step(memory, 0.1 * sqr(h) / nu, 1);
@@ -182,8 +181,9 @@ TEST(CapsuleNearField, DISABLED_cost)
     }
 }
 
-// Settings of the sum: time, and error of the velocity relative to its near-field part, on
-// an ellipsoid of D = 0.36 at a/h = 4 under a random load of degree 1 to 5
+// Worth of each setting of the sum: time and error of the velocity, which is the
+// part from the near field, on an ellipsoid of D = 0.36 at a/h = 4 for a random load of
+// degree 1 to 5
 TEST(CapsuleNearField, DISABLED_settings)
 {
     const int N = 12;

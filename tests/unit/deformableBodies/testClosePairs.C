@@ -63,7 +63,7 @@ struct clouds
         along = l;
     }
 
-    //- Bodies of this rank: every n-th, wherever it is
+    //- Bodies of this rank: every so many, wherever they are
     labelList mine() const
     {
         DynamicList<label> own;

@@ -57,7 +57,7 @@ TEST(Lubrication, formulas)
             EXPECT_NEAR(film.n.y(), 1, 1e-6);
         }
 
-        // Reduced radius of two different radii, from the principal curvatures
+        // Different radii: reduced to the radii of the principal curvatures
         {
             const scalar b = 0.3 * r, both = r * b / (r + b);
             const vector e1(2 * r, 0, 0), e2(0, 0, 2 * r);

@@ -70,7 +70,7 @@ TEST(RigidShape, points)
         EXPECT_NEAR(mag(moment - s.volume() * tensor::I), 0, 1e-10);
         EXPECT_NEAR(sum(mag(dS)), s.area(), 0.02 * s.area());
 
-        // Distance relative to the spacing of n points on a square lattice
+        // Relative to the spacing that n points would have on a square
         const scalar spacing = std::sqrt(s.area() / n);
         EXPECT_GT(nearest, 0.25 * spacing);
         EXPECT_LT(furthest, 1.5 * spacing);

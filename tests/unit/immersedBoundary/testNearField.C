@@ -69,8 +69,7 @@ TEST(NearField, sumOfPairs)
     }
 }
 
-// Velocity of two clouds together equals that of each alone plus the contribution of the
-// other
+// Two clouds together: each by itself, and what each adds to the other
 TEST(NearField, sumBetweenClouds)
 {
     const nearField near(deltaKernel::Roma3, 0.5, 2, 0.6);

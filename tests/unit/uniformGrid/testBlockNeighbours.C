@@ -12,7 +12,7 @@ const uniformGrid& grid()
     return uniformGrid::New(test::mesh());
 }
 
-//- Points in the box and beyond its periodic sides, the same on all ranks
+//- Points, equal on all ranks, in the box and beyond its periodic sides
 vectorField points(const label n)
 {
     Random random(5);
@@ -125,7 +125,7 @@ TEST(BlockNeighbours, messagesArrive)
         in[i] = -1;
     }
 
-    // Exchange of messages of known sizes
+    // Values of known sizes
     sizes = neighbours.sizes(sizes);
     neighbours.exchange(give, take);
     forAll(in, i)

@@ -168,7 +168,7 @@ TEST(UniformBoxes, everyCellIsDealtToABlock)
     const labelList rank(
         method.decompose(b.mesh(), centres, scalarField(centres.size(), 1)));
 
-    // The number of cells equals that of the bounding box: a whole block
+    // A whole block has as many cells as its bounding box has places
     std::vector<boundBox> around(12);
     labelList held(12, Zero);
     forAll(rank, celli)

@@ -95,8 +95,7 @@ void solve(staggeredField& f, const label n)
     }
     for (label q = 0; q < size; ++q)
     {
-        // Symbol of the divergence at cell centres; minus its conjugate is that of the
-        // gradient
+        // Symbol of the divergence at centres; - its conjugate is the one of gradients
         std::complex<double> D[3], force(0);
         double kk = 0;
         const label at[3] = {q % n, q / n % n, q / (n * n)};

@@ -10,7 +10,7 @@ using namespace test;
 
 namespace
 {
-//- Scenes that all three schemes can run, without drag
+//- A scene that all three schemes can run: without drag
 struct schemeScene
 {
     const char* name;
