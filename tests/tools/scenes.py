@@ -92,31 +92,3 @@ def ellipsoid(n=48):
         a, b, c, d = x[i, j], x[i + 1, j], x[i + 1, j + 1], x[i, j + 1]
         all += [t for t in ((a, b, c), (a, c, d)) if np.linalg.norm(np.cross(t[1] - t[0], t[2] - t[0])) > 1e-12]
     return stl(all)
-
-
-def indented(file):
-    """Blocks of a document that are indented by four blanks, without these."""
-    blocks, lines = [], []
-    with open(file) as f:
-        text = f.read().splitlines()
-    for line in text + ["end"]:
-        if line.startswith("    ") or (lines and not line.strip()):
-            lines.append(line)
-        elif lines:
-            blocks.append(textwrap.dedent("\n".join(lines)).strip() + "\n")
-            lines = []
-    return blocks
-
-
-def readme(file):
-    """Files readme.* with the dictionaries of the README: of capsules, with the fibres
-    among them, and the linear solvers one by one."""
-    blocks = indented(file)
-    one = lambda start: [b for b in blocks if b.startswith(start)][0]
-    capsules, fibres, solvers = one("FoamFile"), one("fibres"), one("p { solver FFT")
-    end = capsules.rstrip().rindex("}")
-    texts = {"capsules": capsules, "both": capsules[:end] + fibres + "}\n"}
-    texts.update({"solver%d" % i: line + "\n" for i, line in enumerate(solvers.splitlines())})
-    for name, text in texts.items():
-        with open("readme." + name, "w") as f:
-            f.write(text)

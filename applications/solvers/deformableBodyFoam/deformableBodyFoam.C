@@ -38,7 +38,6 @@ Usage
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "bodyCollection.H"
-#include "bodyLimits.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
 #include "flowAlgorithm.H"
@@ -85,9 +84,13 @@ int main(int argc, char* argv[])
     {
         {
             const auto timing(effects.time("timeStep"));
-            setLimits(limits, bodies);
+            bodies.setLimits(limits);
             limits.adjust(runTime);
-            if (flows) limits.judge(fill);
+            if (flows)
+            {
+                limits.judge(fill);
+                limits.judgeEstimate("bodies");
+            }
 
             ++runTime;
 

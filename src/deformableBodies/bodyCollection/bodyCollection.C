@@ -100,16 +100,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
     staggeredField force(system_.grid.box()), u(system_.grid.box());
     if (!empty() && !withoutFluid() && !system_.solverBalances)
     {
-        if (!guard_)
-        {
-            guard_.reset(new stepGuard(phi));
-            guard_->expect(1,
-                           "bodies, which move with the velocity of the last "
-                           "step",
-                           true);
-        }
-        guard_->check(stepGuard::CourantNo(phi),
-                      [&]() { trouble_.any = true; });
+        judgeStep(phi);
     }
     if (!empty()) system_.grid.toStaggered(phi, u);
     moveWithVelocity(u, force);
@@ -126,6 +117,24 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
     }
     sample();
     if (mustStop()) stop();
+}
+
+void Foam::bodyCollection::judgeStep(const surfaceScalarField& phi)
+{
+    if (!stepLimits_)
+    {
+        stepLimits_.reset(new stepLimits(system_.mesh.time(), phi));
+        stepLimits_->guard().expect(
+            1, "bodies, which move with the velocity of the last step", true);
+    }
+    setLimits(*stepLimits_);
+    stepLimits_->setCourantNo(CourantGuard::CourantNo(phi));
+    stepLimits_->judge([&]() { trouble_.any = true; });
+    stepLimits_->judgeEstimate(
+        "bodies", system_.adjustsStep()
+                      ? " (maxDeltaT in system/controlDict: this solver "
+                        "adjusts its step without regard to bodies)"
+                      : "");
 }
 
 void Foam::bodyCollection::makeForceFlux()
@@ -146,13 +155,11 @@ Foam::tmp<Foam::volVectorField> Foam::bodyCollection::cellForce() const
 void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
                                             staggeredField& force)
 {
-    const bool firstStep = lastMoved_ < 0;
-    if (firstStep)
+    if (lastMoved_ < 0)
     {
         describe();
         if (output_) output_->start();
     }
-    limits_.check(firstStep);
     lastMoved_ = system_.mesh.time().timeIndex();
     if (empty()) return;
 

@@ -2,7 +2,6 @@
 
 #include "bodyLimits.H"
 #include "sceneNumbers.H"
-#include "stepGuard.H"
 
 Foam::scalar Foam::bodyLimits::maxDeltaT(string* reason) const
 {
@@ -83,33 +82,19 @@ void Foam::bodyLimits::describe() const
                 system_.mesh.time().constant() / "deformableBodies");
 }
 
-void Foam::bodyLimits::check(const bool firstStep)
+void Foam::bodyLimits::set(stepLimits& limits) const
 {
-    string group;
-    const Time& time = system_.mesh.time();
-    const scalar limit = maxDeltaT(&group), deltaT = time.deltaTValue();
-    if (deltaT <= (1 + 1e-6) * limit) return;
-
-    const string what("deltaT " + Foam::name(deltaT) + " is " +
-                      Foam::name(deltaT / limit) + " times what the " + group +
-                      " bear by the estimate, " + Foam::name(limit) + " s");
-    if (firstStep && deltaT > 200 * limit)
+    string group("bodies");
+    const scalar stable = maxDeltaT(&group);
+    limits.set("bodies", stable, group,
+               stable < GREAT    ? string::null
+               : system_.empty() ? string("none in the fluid")
+                                 : string("stable at any step (stabilised, "
+                                          "implicit or one-way)"));
+    const scalar accurate = wantedDeltaT();
+    if (accurate < GREAT)
     {
-        FatalErrorInFunction
-            << what.c_str() << ": bodies would diverge within a few steps" << nl
-            << "    allowed: deltaT up to " << Foam::name(limit)
-            << ", at most 200 times that, or softer bodies" << exit(FatalError);
-    }
-    if (warned_ >= 0 && time.timeIndex() < warned_ + stepGuard::pause) return;
-    warned_ = time.timeIndex();
-    if (Pstream::master())
-    {
-        WarningInFunction
-            << what.c_str() << nl << "    If bodies diverge, reduce it"
-            << (system_.adjustsStep()
-                    ? " (maxDeltaT in system/controlDict: this solver "
-                      "adjusts its step without regard to bodies)"
-                    : "")
-            << endl;
+        limits.set("accuracy", accurate, "accuracy",
+                   "of constant/deformableBodies");
     }
 }

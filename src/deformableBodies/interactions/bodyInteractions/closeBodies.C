@@ -6,7 +6,7 @@
 #include "bodyInteractions.H"
 #include "dictionaryChecks.H"
 #include "mathematicalConstants.H"
-#include "stepGuard.H"
+#include "warnRarely.H"
 
 void Foam::bodyInteractions::update()
 {
