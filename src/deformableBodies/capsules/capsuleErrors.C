@@ -19,6 +19,9 @@ Foam::scalar ofStep(const Foam::scalar step)
     return 6 * Foam::sqr(step);
 }
 
+// Of a near field of fewer degrees than 8, with bending at Re 10
+const Foam::scalar ofFewerDegrees = 0.015;
+
 // From here on the laws hold
 const Foam::scalar leastRadius = 3;
 
@@ -81,9 +84,10 @@ Foam::scalar Foam::capsuleReport::errorOfCells(const bool nearField) const
     {
         return -1;
     }
-    return nearField ? (group_.viscosityRatio_ == 1 ? 0.003 : 0.007) +
-                           group_.nearFieldError_
-                     : ofCells(radius);
+    if (!nearField) return ofCells(radius);
+    const bool fewer = group_.nearField_ && group_.nearField_->isReduced();
+    return (group_.viscosityRatio_ == 1 ? 0.003 : 0.007) +
+           (fewer ? ofFewerDegrees : 0);
 }
 
 Foam::expectedErrors Foam::capsuleReport::errors(const flowScales& flow) const
@@ -167,18 +171,18 @@ Foam::expectedErrors Foam::capsuleReport::errors(const flowScales& flow) const
          }});
 
     // Adjusted steps of deformableBodyFoam keep to the limit of explicit motion
-    const membraneModel& law = group_.membrane_->model();
+    const membraneModel& law = group_.shell_->model();
     const scalar rate = flow.rate;
     const scalar limit = group_.twoWay() && group_.scene_.forceAtFaces
-                             ? group_.maxDeltaT_
+                             ? group_.maxDeltaT()
                              : GREAT;
     const scalar dt =
         !group_.scene_.adjusted             ? group_.scene_.deltaT
         : group_.scene_.deltaT > 0          ? min(group_.scene_.deltaT, limit)
         : group_.scene_.accuracy.wanted > 0 ? GREAT // stepFor() chooses
                                             : limit;
-    const bool stiffArea =
-        group_.stabilised_ && law.areaModulus() > 4 * law.shearModulus();
+    const bool stiffArea = group_.motion_->hasPrevious() &&
+                           law.areaModulus() > 4 * law.shearModulus();
     const bool known = rate > 0 && dt > 0 && dt < GREAT && !stiffArea;
     const auto largest = [rate](const scalar error)
     { return std::sqrt(error / ofStep(1)) / rate; };
@@ -219,9 +223,9 @@ std::vector<Foam::errorIndicator> Foam::capsuleReport::indicators() const
             if (n >= grid.degree() - 1) last += square;
         }
         highest = max(highest, std::sqrt(last / all));
-        change =
-            max(change,
-                mag(group_.measure(c.x).volume / group_.referenceVolume_ - 1));
+        change = max(change, mag(group_.shell_->measure(c.x).volume /
+                                     group_.referenceVolume_ -
+                                 1));
     }
     return {
         {"highest harmonics", highest, 0.03,

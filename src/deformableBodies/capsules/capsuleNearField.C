@@ -48,6 +48,7 @@ void Foam::capsuleNearField::setInertia(const scalar nu, const scalar radius)
 
 void Foam::capsuleNearField::setTaper(const scalar degree)
 {
+    reduced_ = degree < 8;
     for (size_t i = 0; i < taper_.size(); ++i)
     {
         taper_[i] = std::exp(-std::pow(degree_[i] / degree, 8));

@@ -5,7 +5,7 @@
 
 Foam::string Foam::capsuleReport::describe(const flowScales& flow) const
 {
-    const scalar Gs = group_.membrane_->model().shearModulus();
+    const scalar Gs = group_.shell_->model().shearModulus();
     OStringStream os;
     os.precision(4);
     os << group_.nBodies() << " of radius a " << group_.radius_ << ", a/h "
@@ -26,9 +26,11 @@ Foam::string Foam::capsuleReport::describe(const flowScales& flow) const
            << group_.scene_.rho * flow.speed * group_.radius_ / group_.scene_.mu
            << ", mu U/Gs " << group_.scene_.mu * flow.speed / Gs;
     }
-    if (group_.bending_)
-        os << ", E_B/(a^2 Gs) "
-           << group_.bending_->modulus() / sqr(group_.radius_) / Gs;
+    const scalar modulus = group_.shell_->bendingModulus();
+    if (modulus > 0)
+    {
+        os << ", E_B/(a^2 Gs) " << modulus / sqr(group_.radius_) / Gs;
+    }
     return os.str();
 }
 
@@ -53,10 +55,9 @@ Foam::scalarList Foam::capsuleReport::sample(const label i) const
     const std::vector<double>& x = group_.capsules_[i].x;
     scalar energy;
     const scalar stretch =
-        group_.membrane_->stretches(x.data(), energy).stretch;
-    const auto m(group_.measure(x, group_.membrane_->xTheta(),
-                                group_.membrane_->xPhi()));
-    if (group_.bending_) energy += group_.bending_->energy(x.data());
+        group_.shell_->elastic().stretches(x.data(), energy).stretch;
+    const auto m(group_.shell_->measureLast(x));
+    energy += group_.shell_->bendingEnergy(x);
 
     // Equivalent ellipsoid: moments V a^2/5. Iterations keep the digits that
     // formulas lose where axes are nearly equal
@@ -95,7 +96,7 @@ Foam::scalarList Foam::capsuleReport::sample(const label i) const
 Foam::bodySurface Foam::capsuleReport::surface(const label i) const
 {
     const auto& c = group_.capsules_[i];
-    const sphericalHarmonics& grid = group_.membrane_->harmonics();
+    const sphericalHarmonics& grid = group_.shell_->grid();
     const label n = grid.nPoints(), nPhi = grid.nPhi();
 
     const auto vectors = [&](const std::vector<double>& values)
@@ -108,35 +109,36 @@ Foam::bodySurface Foam::capsuleReport::surface(const label i) const
         return v;
     };
 
+    std::vector<double> onGrid(3 * n), xt(3 * n), xp(3 * n);
     bodySurface s;
     s.vectorNames = {"velocity", "load"};
     s.scalarNames = {"tension1", "tension2", "curvature"};
     s.vectors.setSize(2);
     s.scalars.setSize(3);
 
-    grid.values(c.velocity.data(), group_.onGrid_.data());
-    s.vectors[0] = vectors(group_.onGrid_);
+    grid.values(c.velocity.data(), onGrid.data());
+    s.vectors[0] = vectors(onGrid);
 
     // Load per deformed area [N/m^2]: q is per solid angle
-    std::vector<double> q(group_.coeffs_.size()), T1(n), T2(n);
-    group_.load(c.x, q);
-    grid.values(q.data(), group_.onGrid_.data());
-    s.vectors[1] = vectors(group_.onGrid_);
-    grid.gradient(c.x.data(), group_.xt_.data(), group_.xp_.data());
+    std::vector<double> q, T1(n), T2(n);
+    group_.shell_->load(c.x, q);
+    grid.values(q.data(), onGrid.data());
+    s.vectors[1] = vectors(onGrid);
+    grid.gradient(c.x.data(), xt.data(), xp.data());
     for (label k = 0; k < n; ++k)
     {
-        const vector t(group_.xt_[k], group_.xt_[n + k], group_.xt_[2 * n + k]);
-        const vector p(group_.xp_[k], group_.xp_[n + k], group_.xp_[2 * n + k]);
+        const vector t(xt[k], xt[n + k], xt[2 * n + k]);
+        const vector p(xp[k], xp[n + k], xp[2 * n + k]);
         s.vectors[1][k] /= mag(t ^ p);
     }
-    group_.membrane_->tensions(c.x.data(), T1.data(), T2.data());
+    group_.shell_->elastic().tensions(c.x.data(), T1.data(), T2.data());
     s.scalars[0] = scalarField(UList<scalar>(T1.data(), n));
     s.scalars[1] = scalarField(UList<scalar>(T2.data(), n));
     bending::curvature(grid, c.x.data(), T1.data());
     s.scalars[2] = scalarField(UList<scalar>(T1.data(), n));
 
-    grid.values(c.x.data(), group_.onGrid_.data());
-    s.points = vectors(group_.onGrid_);
+    grid.values(c.x.data(), onGrid.data());
+    s.points = vectors(onGrid);
 
     s.faces = ringFaces(grid.nTheta(), nPhi);
     return s;

@@ -1,7 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "initialShape.H"
-#include "capsuleGroup.H"
+#include "capsule.H"
 #include "dictionaryChecks.H"
 #include "IFstream.H"
 #include "MeshedSurface.H"
@@ -173,7 +173,7 @@ void savedShape(const dictionary& dict, const sphericalHarmonics& grid,
         refuseState("a body " + Foam::name(body) + " in group " + group);
     }
 
-    const label N = capsuleGroup::degreeOf(states[body]);
+    const label N = capsule::degreeOf(states[body]);
     if (N < 1) refuseState("coefficients of capsules");
     const sphericalHarmonics other(N, N + 2);
     for (int n = 1; n <= min(N, label(grid.degree())); ++n)

@@ -3,12 +3,55 @@
 #include "penaltyMotion.H"
 #include <cmath>
 
-void Foam::penaltyMotion::apply(std::vector<double>& lag,
-                                std::vector<double>& before,
-                                std::vector<double>& load, const scalar dt,
-                                const scalar ratio) const
+namespace
 {
-    const double toLag = dt * dt / mass_;
+//- Stiffness of the fastest harmonic [N/m]: waves of area are the stiffest in the plane
+Foam::scalar stiffnessOf(const Foam::capsuleMotion::setting& s)
+{
+    using namespace Foam;
+    const membraneModel& law = s.shell.model();
+    const scalar N = s.harmonics.degree(), bend = N * (N + 3) / s.radius;
+    return (law.shearModulus() + law.areaModulus()) * N * (N + 1) +
+           s.shell.bendingModulus() * bend * bend;
+}
+} // namespace
+
+Foam::penaltyMotion::penaltyMotion(const setting& s,
+                                   const scalar surfaceDensity)
+    : capsuleMotion(s.shell,
+                    limit(surfaceDensity * sqr(s.radius), stiffnessOf(s))),
+      effects_(s.scene.effects),
+      mass_(surfaceDensity * sqr(s.radius))
+{
+}
+
+void Foam::penaltyMotion::start(capsule& c) const
+{
+    if (c.lag.empty())
+    {
+        c.lag.assign(c.x.size(), 0);
+        c.lagBefore = c.load = c.lag;
+    }
+}
+
+void Foam::penaltyMotion::beforeMove(capsule& c, const scalar dt,
+                                     const scalar ratio) const
+{
+    const auto timing(effects_.time("penalty"));
+    numbers elastic(c.x);
+    for (size_t j = 0; j < elastic.size(); ++j)
+    {
+        elastic[j] += c.lag[j];
+    }
+    shell_.load(elastic, c.load);
+    advance(mass_, c.lag, c.lagBefore, c.load, dt, ratio);
+}
+
+void Foam::penaltyMotion::advance(const scalar mass, numbers& lag,
+                                  numbers& before, numbers& load,
+                                  const scalar dt, const scalar ratio)
+{
+    const double toLag = dt * dt / mass;
     for (size_t j = 0; j < lag.size(); ++j)
     {
         const double change = ratio * (lag[j] - before[j]);
@@ -20,9 +63,10 @@ void Foam::penaltyMotion::apply(std::vector<double>& lag,
     }
 }
 
-Foam::scalar Foam::penaltyMotion::maxDeltaT(const scalar stiffness) const
+Foam::scalar Foam::penaltyMotion::limit(const scalar mass,
+                                        const scalar stiffness)
 {
     // y_tt = -stiffness/mass y beside the spring: z^2 = (1 - k) z - 0.5 with
     // k = stiffness dt^2/mass stays below 1 for k < 2.5
-    return std::sqrt(2.5 * mass_ / stiffness);
+    return std::sqrt(2.5 * mass / stiffness);
 }

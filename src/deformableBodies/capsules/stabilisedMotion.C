@@ -10,7 +10,7 @@
 namespace
 {
 using namespace Foam;
-using numbers = std::vector<double>;
+using numbers = capsule::numbers;
 
 //- Linear part of a shape: columns are the coefficients of Y_1m
 Eigen::Matrix3d linearPart(const sphericalHarmonics& grid, const numbers& x)
@@ -46,75 +46,91 @@ void rotate(const Eigen::Matrix3d& q, double* x)
 }
 } // namespace
 
-Foam::stabilisedMotion::stabilisedMotion(const sphericalHarmonics& grid,
-                                         const scalar tension,
-                                         const scalar bendingModulus,
-                                         const scalar mu, const scalar radius)
-    : degree_(grid.nCoeffs()),
-      rate_(grid.degree() + 1, 0)
+Foam::stabilisedMotion::waves::waves(const setting& s)
+    : rate_(s.harmonics.degree() + 1, 0)
 {
-    for (int n = 0; n <= grid.degree(); ++n)
+    const membraneModel& law = s.shell.model();
+    const scalar tension = max(0.25 * (law.shearModulus() + law.areaModulus()),
+                               0.5 * (law.areaModulus() - law.shearModulus()));
+    for (int n = 1; n <= s.harmonics.degree(); ++n)
+    {
+        const scalar bend = n * (n + 3) / s.radius;
+        rate_[n] =
+            1.5 / (s.mu * s.radius * (2 * n + 1)) *
+            (tension * n * (n + 1) + s.shell.bendingModulus() * bend * bend);
+    }
+}
+
+Foam::stabilisedMotion::stabilisedMotion(const setting& s, const waves& rates)
+    : capsuleMotion(s.shell, GREAT),
+      effects_(s.scene.effects),
+      harmonics_(s.harmonics),
+      rate_(rates),
+      degree_(s.harmonics.nCoeffs())
+{
+    for (int n = 0; n <= harmonics_.degree(); ++n)
     {
         for (int m = 0; m <= n; ++m)
         {
-            degree_[grid.index(n, m, false)] = n;
-            if (m) degree_[grid.index(n, m, true)] = n;
-        }
-        if (n)
-        {
-            const scalar bend = n * (n + 3) / radius;
-            rate_[n] = 1.5 / (mu * radius * (2 * n + 1)) *
-                       (tension * n * (n + 1) + bendingModulus * bend * bend);
+            degree_[harmonics_.index(n, m, false)] = n;
+            if (m) degree_[harmonics_.index(n, m, true)] = n;
         }
     }
 }
 
-void Foam::stabilisedMotion::apply(
-    const numbers& x, const numbers& previous, numbers& base, const scalar dt,
-    const scalar ratio, const scalar enclosed,
-    const std::function<void(const numbers&, numbers&)>& volumeGradient,
-    const sphericalHarmonics& grid) const
+Foam::capsuleMotion::numbers
+Foam::stabilisedMotion::extrapolate(const numbers& x, const numbers& previous,
+                                    const double ratio) const
 {
-    numbers g(x.size()), target(x);
-    const auto volume = [&](const numbers& y)
-    {
-        volumeGradient(y, g);
-        return std::inner_product(y.begin(), y.end(), g.begin(), 0.0) / 3;
-    };
-    if (previous.size())
-    {
-        const Eigen::AngleAxisd q(
-            rotation(linearPart(grid, x), linearPart(grid, previous)));
-        const Eigen::Matrix3d full(q.toRotationMatrix());
-        const Eigen::Matrix3d part(
-            Eigen::AngleAxisd(ratio * q.angle(), q.axis()).toRotationMatrix());
-        target = previous;
-        for (size_t i = 0; i < degree_.size(); ++i)
-        {
-            double* t = target.data() + 3 * i;
-            rotate(full, t);
-            for (int d = 0; d < 3; ++d)
-            {
-                t[d] = x[3 * i + d] + ratio * (x[3 * i + d] - t[d]);
-            }
-            rotate(part, t);
-        }
-    }
+    if (previous.empty()) return x;
+    const Eigen::AngleAxisd q(
+        rotation(linearPart(harmonics_, x), linearPart(harmonics_, previous)));
+    const Eigen::Matrix3d full(q.toRotationMatrix());
+    const Eigen::Matrix3d part(
+        Eigen::AngleAxisd(ratio * q.angle(), q.axis()).toRotationMatrix());
+    numbers target(previous);
     for (size_t i = 0; i < degree_.size(); ++i)
     {
-        if (degree_[i] == 0) continue; // the place of the whole
+        double* t = target.data() + 3 * i;
+        rotate(full, t);
+        for (int d = 0; d < 3; ++d)
+        {
+            t[d] = x[3 * i + d] + ratio * (x[3 * i + d] - t[d]);
+        }
+        rotate(part, t);
+    }
+    return target;
+}
+
+void Foam::stabilisedMotion::correct(const capsule& c, numbers& x,
+                                     const scalar dt, const scalar ratio,
+                                     const scalar volume) const
+{
+    const auto timing(effects_.time("stabilised"));
+    const numbers target(extrapolate(c.x, c.previous, ratio));
+    for (size_t i = 0; i < degree_.size(); ++i)
+    {
+        if (degree_[i] == 0) continue; // the position of the whole
         const double keep = 1 / (1 + dt * rate_[degree_[i]]);
         for (int d = 0; d < 3; ++d)
         {
             const size_t j = 3 * i + d;
-            base[j] = target[j] + keep * (base[j] - target[j]);
+            x[j] = target[j] + keep * (x[j] - target[j]);
         }
     }
+    restoreVolume(x, dt, volume);
+}
 
-    // Two passes of Newton's method back to the volume
-    for (int pass = 0; pass < 2; ++pass)
+void Foam::stabilisedMotion::restoreVolume(numbers& x, const scalar dt,
+                                           const scalar enclosed) const
+{
+    numbers g(x.size());
+    for (int newton = 0; newton < 2; ++newton)
     {
-        const double lack = enclosed - volume(base);
+        shell_.volumeGradient(x, g);
+        const double volume =
+            std::inner_product(x.begin(), x.end(), g.begin(), 0.0) / 3;
+        const double lack = enclosed - volume;
         double square = 0;
         numbers step(g);
         for (size_t i = 0; i < degree_.size(); ++i)
@@ -128,9 +144,9 @@ void Foam::stabilisedMotion::apply(
                 square += g[3 * i + d] * step[3 * i + d];
             }
         }
-        for (size_t j = 0; j < base.size(); ++j)
+        for (size_t j = 0; j < x.size(); ++j)
         {
-            base[j] += lack / square * step[j];
+            x[j] += lack / square * step[j];
         }
     }
 }

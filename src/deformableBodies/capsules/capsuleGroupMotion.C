@@ -1,0 +1,175 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+// How the capsules of a group move with the fluid, and their forces on it
+
+#include "capsuleGroup.H"
+
+Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
+                                      const bodyStep& s)
+{
+    const scalar dt = s.dt;
+    const auto timing(scene_.effects.time("membrane"));
+    const label n = markers_->size();
+    numbers next(initial_.size()), velocity(next.size());
+    vectorField F(nearField_ ? n : 0);
+    string trouble;
+
+    for (size_t i = 0; i < capsules_.size(); ++i, U += n)
+    {
+        capsule& c = capsules_[i];
+        markers_->analysis(U, velocity.data());
+        if (nearField_)
+        {
+            const auto timing(scene_.effects.time("nearField"));
+            if (c.onFluid.empty())
+            {
+                forcesOnFluid(i, s.time - dt, F.data());
+                nearLoad(c, F.cdata());
+                setNearSources(c);
+            }
+            nearField_->add(
+                c.x.data(), c.onFluid.data(), velocity.data(), c.nearMemory,
+                c.lastDeltaT > 0 ? c.lastDeltaT : dt,
+                [&](const std::vector<vector>& X, std::vector<vector>& u)
+                { Foam::add(corrections_, i, X.data(), X.size(), u.data()); });
+        }
+
+        // Zero net flow through the membrane, int U.n dS = 0: the change of
+        // the enclosed volume is g.v
+        const numbers& g = c.volumeGradient;
+        double gv = 0, gg = 0;
+        for (size_t j = 0; j < g.size(); ++j)
+        {
+            gv += g[j] * velocity[j];
+            gg += g[j] * g[j];
+        }
+        const double r = c.lastDeltaT > 0 ? dt / c.lastDeltaT : 0;
+        bool finite = true;
+        for (size_t j = 0; j < g.size(); ++j)
+        {
+            velocity[j] -= gv / gg * g[j];
+            const double step =
+                dt * ((1 + 0.5 * r) * velocity[j] - 0.5 * r * c.velocity[j]);
+            finite = finite && std::abs(step) < GREAT;
+            next[j] = c.x[j] + step;
+        }
+        if (finite) motion_->correct(c, next, dt, r, referenceVolume_);
+        for (size_t j = 0; j < filter_.size(); ++j)
+        {
+            next[j] *= filter_[j];
+        }
+
+        // The last good state stays in place where the new one is none. What is
+        // checked has the derivatives on the grid
+        const string wrong(finite ? shell_->check(next)
+                                  : string("marker velocity is not finite"));
+        if (!wrong.empty())
+        {
+            trouble = nameOfBody(mine()[i]) + ": " + wrong;
+            startAt(c);
+            continue;
+        }
+        shell_->volumeGradientLast(c.volumeGradient);
+        motion_->beforeMove(c, dt, r);
+        moveTo(c, next);
+        if (twoWay()) motion_->setLoad(c);
+        c.velocity = velocity;
+        c.lastDeltaT = dt;
+    }
+    return trouble;
+}
+
+void Foam::capsuleGroup::startAt(capsule& c) const
+{
+    c.xMid = c.x;
+    c.markers.setSize(markers_->size());
+    markers_->values(c.x.data(), c.markers.data());
+    c.markersMid = c.markers;
+    shell_->volumeGradient(c.x, c.volumeGradient);
+    if (twoWay()) motion_->start(c);
+    setNearSources(c);
+}
+
+void Foam::capsuleGroup::moveTo(capsule& c, const numbers& x) const
+{
+    for (size_t j = 0; j < x.size(); ++j)
+    {
+        c.xMid[j] = 0.5 * (c.x[j] + x[j]);
+    }
+    c.x = x;
+    c.markersMid = c.markers;
+    markers_->values(c.x.data(), c.markers.data());
+    c.markersMid = 0.5 * (c.markersMid + c.markers);
+}
+
+void Foam::capsuleGroup::loads(vector* X, vector* F, const scalar time) const
+{
+    const auto timing(scene_.effects.time("membrane"));
+    const label n = markers_->size();
+    forAll(mine(), i)
+    {
+        const capsule& c = capsules_[i];
+        std::copy(c.markersMid.begin(), c.markersMid.end(), X);
+        forcesOnFluid(i, time, F);
+        X += n;
+        F += n;
+    }
+}
+
+void Foam::capsuleGroup::recordLoads(const vector* F)
+{
+    if (!nearField_) return;
+    const auto timing(scene_.effects.time("membrane"));
+    for (capsule& c : capsules_)
+    {
+        nearLoad(c, F);
+        setNearSources(c);
+        F += markers_->size();
+    }
+}
+
+void Foam::capsuleGroup::forcesOnFluid(const label i, const scalar time,
+                                       vector* F) const
+{
+    const capsule& c = capsules_[i];
+    const label n = markers_->size();
+    markers_->values(c.load.data(), F);
+    for (label k = 0; k < n; ++k)
+    {
+        F[k] *= -markers_->weight(k);
+    }
+    if (!scene_.forces.actOn(name(), mine()[i])) return;
+    vectorField more(n, Zero);
+    scene_.forces.add(
+        name(), mine()[i], [&]() { return points(i); }, time, scene_.effects,
+        more);
+    for (label k = 0; k < n; ++k)
+    {
+        F[k] += more[k];
+    }
+}
+
+const Foam::nearSurface::sources&
+Foam::capsuleGroup::nearSources(const label i) const
+{
+    return capsules_[i].near;
+}
+
+void Foam::capsuleGroup::setNearSources(capsule& c) const
+{
+    if (corrections_.empty() || c.onFluid.empty()) return;
+    nearField_->forces(c.x.data(), c.onFluid.data(), c.near.X, c.near.F);
+}
+
+// Forces have the solid angles in them, and the opposite sign of loads
+void Foam::capsuleGroup::nearLoad(capsule& c, const vector* F) const
+{
+    numbers now;
+    shell_->load(c.x, now);
+    c.onFluid.resize(now.size());
+    markers_->valuesAdjoint(F, c.onFluid.data());
+    for (size_t j = 0; j < now.size(); ++j)
+    {
+        c.onFluid[j] += 0.5 * (c.load[j] - now[j]);
+    }
+}

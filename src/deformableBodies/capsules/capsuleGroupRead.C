@@ -1,0 +1,289 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "capsuleGroup.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryChecks.H"
+#include "capsuleReport.H"
+#include "initialShape.H"
+#include "judgedRatio.H"
+#include "turnTo.H"
+#include <cmath>
+
+namespace Foam
+{
+defineTypeNameAndDebug(capsuleGroup, 0);
+addToRunTimeSelectionTable(bodyGroup, capsuleGroup, dictionary);
+} // namespace Foam
+
+namespace
+{
+// Up to where the near field was measured to be better than none
+// (tests/validation/nearField)
+const Foam::scalar maxInertia = 20, maxViscosityRatio = 2;
+
+//- Largest distance of a surface from the origin [m]
+Foam::scalar furthest(const Foam::sphericalHarmonics& grid,
+                      const std::vector<double>& coeffs)
+{
+    using namespace Foam;
+    const label n = grid.nPoints();
+    std::vector<double> x(3 * n);
+    grid.values(coeffs.data(), x.data());
+    scalar extent = 0;
+    for (label k = 0; k < n; ++k)
+    {
+        extent = max(extent, mag(vector(x[k], x[n + k], x[2 * n + k])));
+    }
+    return extent;
+}
+} // namespace
+
+Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
+                                 const bodyScene& scene)
+    : bodyGroup(name, dict, scene),
+      report_(new capsuleReport(*this))
+{
+    checkEntries(dict,
+                 {"type",           "shape",      "positions", "membrane",
+                  "directions",     "placement",  "harmonics", "dealiasing",
+                  "markerSpacing",  "shearPlane", "coupling",  "bending",
+                  "viscosityRatio", "prestress",  "gravity",   "densityRatio",
+                  "stressFree",     "motion",     "thickness", "filter",
+                  "nearField",      "restart",    "outside",   "nucleus"});
+    if (alone())
+    {
+        refuse(dict, "coupling", "none",
+               "oneWay or twoWay: capsules move with the fluid");
+    }
+    takesForces_ = twoWay();
+    if (dict.found("viscosityRatio"))
+    {
+        viscosityRatio_ = readPositive(dict, "viscosityRatio", dimless);
+    }
+    const dictionary& shape =
+        readDict(dict, "shape", "type sphere; radius 1e-6;");
+    const word form(shape.get<word>("type"));
+    sphere_ = form == "sphere";
+    round_ = sphere_ || form == "ellipsoid";
+    nucleated_ = dict.found("nucleus");
+    const label moved = degreeOfMesh(shape);
+    const label degree = readDegree(dict, moved);
+    const scalar dealiasing = readDealiasing(dict);
+    shearPlane_ = groupEntries(this->name(), dict, scene_).shearPlane();
+    readGravity(dict);
+
+    // The first shape, about the origin, from values on a dense grid
+    const sphericalHarmonics fine(degree, 2 * degree + 2);
+    initial_ = initialShape(shape, fine);
+    const scalar extent = furthest(fine, initial_);
+    makeMarkers(dict, degree, extent);
+    shell_.reset(new capsuleShell(degree, dealiasing, dict,
+                                  stressFree(dict, fine), scene_.effects));
+    const capsuleShell::geometry reference(shell_->measure(initial_));
+    referenceVolume_ = reference.volume;
+    referenceArea_ = reference.area;
+    radius_ = std::cbrt(0.75 / constant::mathematical::pi * referenceVolume_);
+    shell_->readBending(dict, radius_, initial_);
+
+    setNearField(dict, extent);
+    motion_ =
+        capsuleMotion::New(dict,
+                           {*shell_, harmonics(), radius_,
+                            0.5 * (1 + viscosityRatio_) * scene_.mu, scene_},
+                           nearField_.get());
+    setFilter(dict);
+    warnOfHarmonics(dict, degree, moved);
+    readStart(dict);
+    judgeSize(dict);
+
+    scene_.effects.declare("membrane", true,
+                           dict.subDict("membrane").get<word>("law") +
+                               ", N = " + Foam::name(degree) + ", " +
+                               Foam::name(nBodies()) + " capsules, " +
+                               Foam::name(markers_->size()) + " markers each");
+    const scalar modulus = shell_->bendingModulus();
+    scene_.effects.declare("bending", modulus > 0,
+                           modulus > 0 ? "modulus " + Foam::name(modulus)
+                                       : string("no bending modulus given"));
+}
+
+Foam::capsuleGroup::~capsuleGroup() {}
+
+Foam::label Foam::capsuleGroup::readDegree(const dictionary& dict,
+                                           const label moved) const
+{
+    const label degree = dict.getOrDefault<label>(
+        "harmonics",
+        min(moved, groupEntries(name(), dict, scene_)
+                       .byAccuracy<label>("harmonics", {12, 16, 24},
+                                          [this](const scalar wanted) {
+                                              return report_->enoughHarmonics(
+                                                  0.15 * wanted);
+                                          })));
+    if (degree < 4 || degree > 64)
+    {
+        refuse(dict, "harmonics", Foam::name(degree), "4 to 64");
+    }
+    return degree;
+}
+
+Foam::scalar Foam::capsuleGroup::readDealiasing(const dictionary& dict)
+{
+    const scalar dealiasing = dict.getOrDefault<scalar>("dealiasing", 1.5);
+    if (dealiasing < 1 || dealiasing > 4)
+    {
+        refuse(dict, "dealiasing", Foam::name(dealiasing), "1 to 4");
+    }
+    return dealiasing;
+}
+
+void Foam::capsuleGroup::readGravity(const dictionary& dict) const
+{
+    const groupEntries entries(name(), dict, scene_);
+    const bool heavy = entries.gravity();
+    if (heavy != dict.found("densityRatio"))
+    {
+        refuse(dict, "gravity", heavy ? "on" : "off",
+               heavy ? "off, or a densityRatio with it"
+                     : "on with a densityRatio");
+    }
+    if (heavy && !twoWay())
+    {
+        refuse(dict, "gravity", "on",
+               "off with coupling oneWay: a capsule that the fluid does not "
+               "feel is carried, whatever its weight");
+    }
+    entries.addWeight(
+        heavy, heavy ? readPositive(dict, "densityRatio", dimless) - 1 : 0);
+}
+
+// The largest circumference in h, stretched by a quarter. With fewer than ten latitudes
+// D errs by more than a per cent at large steps (a/h = 2)
+void Foam::capsuleGroup::makeMarkers(const dictionary& dict, const label degree,
+                                     const scalar extent)
+{
+    const scalar spacing =
+        groupEntries(name(), dict, scene_)
+            .byAccuracy<scalar>("markerSpacing", {1.3, 1.1, 0.6},
+                                [this](const scalar wanted) {
+                                    return report_->enoughMarkers(0.1 * wanted);
+                                });
+    if (spacing < 0.1 || spacing > 1.6)
+    {
+        refuse(dict, "markerSpacing", Foam::name(spacing), "0.1 to 1.6");
+    }
+    const scalar h = cmptMin(scene_.grid.h());
+    const scalar around = 1.25 * constant::mathematical::pi * extent / h;
+    const label nTheta =
+        max(max(degree + 1, label(10)), label(std::ceil(around / spacing)));
+    if (nTheta > 1000)
+    {
+        refuse(dict, "shape", "of size " + Foam::name(extent),
+               "sizes below " + Foam::name(extent * 1000 / nTheta) +
+                   " on this mesh (1000 rings of markers)");
+    }
+    markers_.reset(new surfacePoints(degree, nTheta));
+    markerSpacing_ = around / markers_->grid().nTheta();
+}
+
+Foam::capsuleGroup::numbers
+Foam::capsuleGroup::stressFree(const dictionary& dict,
+                               const sphericalHarmonics& fine) const
+{
+    const scalar prestress = dict.getOrDefault<scalar>("prestress", 0);
+    if (!(prestress > -1))
+    {
+        refuse(dict, "prestress", Foam::name(prestress), "greater than -1");
+    }
+    numbers shape(dict.found("stressFree")
+                      ? initialShape(readDict(dict, "stressFree",
+                                              "type sphere; radius 1e-6;"),
+                                     fine)
+                      : initial_);
+    for (double& x : shape)
+    {
+        x /= 1 + prestress;
+    }
+    return shape;
+}
+
+void Foam::capsuleGroup::warnOfHarmonics(const dictionary& dict,
+                                         const label degree,
+                                         const label moved) const
+{
+    if (degree <= moved) return;
+    const scalar h = cmptMin(scene_.grid.h());
+    IOWarningInFunction(dict)
+        << "entry harmonics: " << degree << " in group " << name()
+        << ", but the mesh moves degrees up to " << moved
+        << " on a body of radius " << radius_ << " = " << radius_ / h << " h"
+        << nl << "    Strain of higher degrees does not relax and "
+        << "makes the tension noisy: leave the entry out, reduce it to "
+        << moved << ", or use cells below " << 2.4 * radius_ / degree << endl;
+}
+
+// What is known of its limits: doc/choosing.md
+void Foam::capsuleGroup::setNearField(const dictionary& dict,
+                                      const scalar extent)
+{
+    string never;
+    if (!twoWay())
+        never = "coupling oneWay: no load acts on the fluid";
+    else if (dict.getOrDefault<word>("motion", "auto") == "penalty")
+        never = "motion penalty";
+    const groupEntries::nearField entry(
+        groupEntries(name(), dict, scene_)
+            .readNearField(never, report_->errorOfCells(false)));
+
+    // Where it is not known to be better
+    const scalar h = scene_.grid.h().x();
+    const scalar inertia =
+        scene_.rho * shell_->stiffness() * sqr(h / scene_.mu) / radius_;
+    string unknown;
+    if (inertia > maxInertia)
+        unknown = "rho K h^2/(mu^2 a) = " + Foam::name(inertia) +
+                  " (K: Gs, or a third of the area modulus), known up to " +
+                  Foam::name(maxInertia);
+    else if (viscosityRatio_ > maxViscosityRatio)
+        unknown = "viscosityRatio " + Foam::name(viscosityRatio_) +
+                  ", known up to " + Foam::name(maxViscosityRatio);
+
+    const bool on = entry.on || (entry.automatic && unknown.empty());
+    string note(entry.whyNot.empty() ? unknown : entry.whyNot);
+    if (on)
+    {
+        nearField_.reset(new capsuleNearField(
+            harmonics().degree(), scene_.kernel.type(), h, scene_.mu, extent));
+        nearField_->setInertia(scene_.mu / scene_.rho, radius_);
+        nearFieldKnown_ = unknown.empty();
+        note = Foam::name(nearField_->nPoints()) + " points" +
+               (unknown.empty() ? string("") : "; beyond what is known: ") +
+               unknown;
+    }
+    scene_.effects.declare("nearField", on, note);
+}
+
+void Foam::capsuleGroup::setFilter(const dictionary& dict)
+{
+    const scalar strength = dict.getOrDefault<scalar>("filter", 0);
+    if (strength < 0)
+    {
+        refuse(dict, "filter", Foam::name(strength), "0 and greater");
+    }
+    if (strength == 0) return;
+
+    const label degree = harmonics().degree();
+    filter_.resize(initial_.size());
+    for (label n = 0; n <= degree; ++n)
+    {
+        const double f = std::exp(-strength * std::pow(double(n) / degree, 8));
+        for (label m = 0; m <= n; ++m)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                filter_[3 * harmonics().index(n, m, false) + d] = f;
+                if (m) filter_[3 * harmonics().index(n, m, true) + d] = f;
+            }
+        }
+    }
+}
