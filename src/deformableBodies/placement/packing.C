@@ -2,85 +2,7 @@
 
 #include "packing.H"
 #include "cpuTime.H"
-#include "segmentDistance.H"
-
-namespace
-{
-using namespace Foam;
-
-//- x.A^-1.x = 1 on the surface of an ellipsoid
-symmTensor matrixOf(const solidForm& form, const vector& direction)
-{
-    const tensor Q(turnTo(direction));
-    const vector s(cmptMultiply(form.semiAxes, form.semiAxes));
-    return symm(Q & tensor(s.x(), 0, 0, 0, s.y(), 0, 0, 0, s.z()) & Q.T());
-}
-
-bool isSphere(const solidForm& form)
-{
-    return !form.isRod() && cmptMax(form.semiAxes) == cmptMin(form.semiAxes);
-}
-
-//- The largest value over 0 < l < 1 of l (1 - l) r.[(1 - l) A + l B]^-1.r is 1
-//  where two ellipsoids touch
-bool ellipsoidsApart(const symmTensor& A, const symmTensor& B, const vector& r)
-{
-    const auto f = [&](const scalar l)
-    { return l * (1 - l) * (r & (inv((1 - l) * A + l * B) & r)); };
-    const scalar golden = 0.5 * (std::sqrt(5.0) - 1);
-    scalar low = 0, high = 1, l1 = 1 - golden, l2 = golden;
-    scalar f1 = f(l1), f2 = f(l2);
-    for (label i = 0; i < 30; ++i)
-    {
-        if (max(f1, f2) >= 1) return true;
-        if (f1 < f2)
-        {
-            low = l1;
-            l1 = l2;
-            f1 = f2;
-            l2 = low + golden * (high - low);
-            f2 = f(l2);
-        }
-        else
-        {
-            high = l2;
-            l2 = l1;
-            f2 = f1;
-            l1 = high - golden * (high - low);
-            f1 = f(l1);
-        }
-    }
-    return false;
-}
-
-//- Are two solids apart, the first moved by r from the second's place?
-bool areApart(const solidForm& a, const vector& directionA, const solidForm& b,
-              const vector& directionB, const vector& r)
-{
-    if (magSqr(r) >= sqr(a.circumradius() + b.circumradius())) return true;
-    if (isSphere(a) && isSphere(b)) return false;
-    if (a.isRod() && b.isRod())
-    {
-        const vector u(a.halfLength * directionA), v(b.halfLength * directionB);
-        return magSqr(connection(r - u, r + u, -v, v)) >=
-               sqr(a.semiAxes.x() + b.semiAxes.x());
-    }
-    if (b.isRod()) return areApart(b, directionB, a, directionA, -r);
-    if (a.isRod())
-    {
-        // Where the ellipsoid of semi-axes longer by the rod's radius is a sphere
-        const tensor toAxes(turnTo(directionB).T());
-        const auto there = [&](const vector& x) {
-            return cmptDivide(toAxes & x,
-                              b.semiAxes + a.semiAxes.x() * vector::one);
-        };
-        const vector u(a.halfLength * directionA);
-        return magSqr(connection(there(r - u), there(r + u), vector::zero,
-                                 vector::zero)) >= 1;
-    }
-    return ellipsoidsApart(matrixOf(a, directionA), matrixOf(b, directionB), r);
-}
-} // namespace
+#include <algorithm>
 
 Foam::solidForm Foam::packing::formOf(const solid& a, const label i) const
 {
@@ -150,8 +72,9 @@ bool Foam::packing::isFree(const solid& a, const label i) const
                 for (label m = -most[0]; m <= most[0]; ++m)
                 {
                     if (j == i && k == 0 && l == 0 && m == 0) continue;
-                    if (!areApart(form, a.direction, other, b.direction,
-                                  r + vector(m * L[0], l * L[1], k * L[2])))
+                    const vector image(m * L[0], l * L[1], k * L[2]);
+                    if (!form.isApart(a.direction, other, b.direction,
+                                      r + image))
                     {
                         return false;
                     }
@@ -270,7 +193,7 @@ Foam::scalar Foam::packing::fill(const label n, const solidForm& form,
     size_ = 1;
     sort(first_ + n, form.circumradius(), gap);
 
-    // Said where it takes long
+    // Progress is printed every five seconds
     const cpuTime clock;
     scalar said = 0;
     const auto progress = [&](const string& what)

@@ -109,7 +109,7 @@ Foam::placement::placement(const dictionary& group, const word& name,
                    Foam::name(2 * form.circumradius()) + " long");
     }
 
-    // A cell for each at least, whatever the units are
+    // At least one cell for each body, so that no units give an endless number
     const scalar most = min(box / volume, box / grid.cellVolume());
     label number = 0;
     if (dict.found("number"))
@@ -179,7 +179,7 @@ Foam::placement::placement(const dictionary& group, const word& name,
         centres_[i] = a.centre;
         directions_[i] = a.direction;
     }
-    // Another processor may round otherwise
+    // Processors of other ranks may round otherwise
     Pstream::scatter(centres_);
     Pstream::scatter(directions_);
     Info << "Placed " << number << " bodies of group " << name
