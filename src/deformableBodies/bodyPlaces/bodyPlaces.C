@@ -4,6 +4,7 @@
 #include "dictionaryChecks.H"
 #include "directForcing.H"
 #include "processorPolyPatch.H"
+#include "startChecks.H"
 #include "Time.H"
 #include "wallPolyPatch.H"
 
@@ -13,14 +14,12 @@ Foam::bodyPlaces::bodyPlaces(const fvMesh& mesh, PtrList<bodyGroup>& groups,
     : time_(mesh.time()),
       grid_(uniformGrid::New(mesh)),
       groups_(groups),
-      markers_(markers),
-      firstBody_(groups.size() + 1, label(0)),
-      pairNamed_(groups.size() * (groups.size() + 1) / 2, false),
+      close_(time_, groups, markers, interactions),
       wallNamed_(groups.size(), false),
       nearWall_(groups.size(), false)
 {
     isWall_ = FixedList<bool, 2>(false);
-    // Not periodic: patches of the box, and those of walls inside it
+    // Patches on sides of the box that are not periodic, and walls inside the box
     string inside;
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
@@ -69,24 +68,9 @@ Foam::bodyPlaces::bodyPlaces(const fvMesh& mesh, PtrList<bodyGroup>& groups,
     }
     forAll(groups_, g)
     {
-        firstBody_[g + 1] = firstBody_[g] + groups_[g].nBodies();
         anyForcing_ =
             anyForcing_ || groups_[g].forcing() == forcingType::ofLines;
-        for (label h = 0; h <= g; ++h)
-        {
-            // Others share no force through the fluid
-            pairNamed_[pairOf(g, h)] =
-                !groups_[g].twoWay() || !groups_[h].twoWay() ||
-                (g == h && groups_[g].nBodies() < 2) ||
-                (interactions && interactions->actBetween(g, h));
-        }
     }
-}
-
-Foam::label Foam::bodyPlaces::pairOf(const label g, const label h) const
-{
-    const label a = max(g, h), b = min(g, h);
-    return a * (a + 1) / 2 + b;
 }
 
 Foam::string Foam::bodyPlaces::through(const boundBox& bounds,
@@ -134,6 +118,11 @@ Foam::string Foam::bodyPlaces::divergence(const bodyGroup& group,
                       : "it moves by " + Foam::name(cells) + " cells in a step";
 }
 
+void Foam::bodyPlaces::checkStart(const dictionary& dict) const
+{
+    startChecks(grid_, groups_).check(dict);
+}
+
 Foam::bodyPlaces::fate Foam::bodyPlaces::look(string& trouble)
 {
     fate worst = INSIDE;
@@ -142,11 +131,11 @@ Foam::bodyPlaces::fate Foam::bodyPlaces::look(string& trouble)
         worst = removeOutside(trouble);
         if (anyForcing_) warnOfWalls();
     }
-    if (steps_++ % 50 == 0 && pairNamed_.found(false)) warnOfClose();
+    close_.look();
     return worst;
 }
 
-// Nuclei go with their capsules, and capsules with their nuclei
+// Nuclei are removed with their capsules, and capsules with their nuclei
 Foam::string Foam::bodyPlaces::removeOrphans()
 {
     string removed;
@@ -197,7 +186,7 @@ Foam::bodyPlaces::fate Foam::bodyPlaces::removeOutside(string& trouble)
             if (through(bounds, -0.5).empty()) continue;
             nearWall_[g] = true;
 
-            // Not for the round-off of what is held at a wall
+            // Beyond the round-off of a body that is held at a wall
             if (through(bounds, 1e-6).empty()) continue;
             bool isWall = false;
             const string where(through(group.bounds(i, true), 1e-6, &isWall));
@@ -258,104 +247,5 @@ void Foam::bodyPlaces::warnOfWalls()
             << "side, and the wall cuts this off: drag and slip are wrong "
             << "there. Keep fibres a cell from walls, or use smaller cells"
             << endl;
-    }
-}
-
-void Foam::bodyPlaces::warnOfClose()
-{
-    label n = 0;
-    forAll(groups_, g)
-    {
-        n += groups_[g].nMarkers();
-    }
-    vectorField X(n);
-    labelList body(n);
-    label at = 0;
-    forAll(groups_, g)
-    {
-        bodyGroup& group = groups_[g];
-        if (group.mine().empty() || group.nMarkers() == 0) continue;
-        const label each = group.nMarkers() / group.mine().size();
-        group.markers(X.data() + at, 0);
-        forAll(group.mine(), i)
-        {
-            std::fill_n(body.data() + at + i * each, each, group.mine()[i]);
-        }
-        // Markers of a fibre count along its line only
-        if (group.forcing() != forcingType::none)
-        {
-            refCast<const directForcing>(group).lines(body.data() + at);
-        }
-        for (label k = at; k < at + group.nMarkers(); ++k)
-        {
-            if (!group.twoWay()) body[k] = -1;
-            if (body[k] >= 0) body[k] += firstBody_[g];
-        }
-        at += group.nMarkers();
-    }
-    markers_.place(X);
-
-    const auto groupOf = [&](const label b)
-    {
-        label g = 0;
-        while (b >= firstBody_[g + 1])
-            ++g;
-        return g;
-    };
-    struct encounter
-    {
-        scalar distance = GREAT;
-        label a = -1, b = -1;
-        point at = Zero;
-    };
-    List<encounter> closest(pairNamed_.size());
-    markers_.closeLines(X, body,
-                        [&](const label a, const label b, const point& at,
-                            const scalar distance)
-                        {
-                            const label pair = pairOf(groupOf(a), groupOf(b));
-                            if (pairNamed_[pair] ||
-                                distance >= closest[pair].distance)
-                                return;
-                            closest[pair].distance = distance;
-                            closest[pair].a = a;
-                            closest[pair].b = b;
-                            closest[pair].at = at;
-                        });
-
-    // Any is rare, and said once
-    scalarList distances(closest.size());
-    forAll(closest, pair)
-    {
-        distances[pair] = closest[pair].distance;
-    }
-    if (!returnReduce(!distances.empty() && min(distances) < GREAT,
-                      orOp<bool>()))
-    {
-        return;
-    }
-    forAll(closest, pair)
-    {
-        const encounter& e = closest[pair];
-        const scalar least = returnReduce(e.distance, minOp<scalar>());
-        if (least == GREAT) continue;
-        pairNamed_[pair] = true;
-        string sentence;
-        if (e.distance == least)
-        {
-            const label g = groupOf(e.a), h = groupOf(e.b);
-            OStringStream os;
-            os.precision(6);
-            os << groups_[g].nameOfBody(e.a - firstBody_[g]).c_str() << " and "
-               << groups_[h].nameOfBody(e.b - firstBody_[h]).c_str() << " are "
-               << e.distance << " cells apart at " << e.at;
-            sentence = os.str();
-        }
-        sentence = firstOf(sentence);
-        WarningInFunction
-            << sentence.c_str() << ", at time " << time_.timeName() << nl
-            << "    Below 1.5 cells the fluid between bodies is not "
-            << "resolved, and nothing keeps them apart (said once for these "
-            << "groups)" << endl;
     }
 }

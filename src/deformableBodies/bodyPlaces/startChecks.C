@@ -1,8 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// Bodies that lie in one place at the start
-
-#include "bodyPlaces.H"
+#include "startChecks.H"
 #include "dictionaryChecks.H"
 #include "mathematicalConstants.H"
 #include "periodicBox.H"
@@ -13,15 +11,7 @@ namespace
 {
 using namespace Foam;
 
-//- A body at the start, and the sphere around it
-struct startingBody
-{
-    label group, number;
-    point centre;
-    scalar radius;
-};
-
-//- How much of the solid angle around x a closed surface fills: 1 inside
+//- Part of the solid angle around x that a closed surface fills: 1 inside
 scalar enclosure(const bodyPoints& surface, const point& x)
 {
     scalar angle = 0;
@@ -33,7 +23,7 @@ scalar enclosure(const bodyPoints& surface, const point& x)
     return angle / (4 * constant::mathematical::pi);
 }
 
-//- Points of a body, about n of a surface; of a line at most this far apart
+//- Some points of a body: about n of a surface, or points of a line at most apart [m]
 pointField someOf(const bodyPoints& body, const label n, const scalar apart)
 {
     DynamicList<point> points;
@@ -61,7 +51,7 @@ pointField someOf(const bodyPoints& body, const label n, const scalar apart)
     return pointField(std::move(points));
 }
 
-//- What two bodies do that they cannot, or nothing
+//- Ways in which two bodies lie in one place
 enum class meeting
 {
     none,
@@ -109,11 +99,10 @@ meeting meetingOf(const bodyPoints& a, const bodyPoints& b, const scalar h)
 }
 } // namespace
 
-void Foam::bodyPlaces::checkStart(const dictionary& dict) const
+Foam::DynamicList<Foam::startChecks::startingBody>
+Foam::startChecks::bodies() const
 {
-    // All bodies of groups that start afresh, as all ranks know them
-    DynamicList<startingBody> bodies;
-    scalar largest = 0;
+    DynamicList<startingBody> all;
     forAll(groups_, g)
     {
         const bodyGroup& group = groups_[g];
@@ -130,84 +119,90 @@ void Foam::bodyPlaces::checkStart(const dictionary& dict) const
                 radius += std::sqrt(p.crossSection);
                 alike = p.isSurface();
             }
-            bodies.append(startingBody{g, body, centre, radius});
-            largest = max(largest, radius);
+            all.append(startingBody{g, body, centre, radius});
         }
     }
-    if (bodies.size() < 2) return;
+    return all;
+}
 
+void Foam::startChecks::judgePair(const startingBody& a, const startingBody& b)
+{
+    vector apart(b.centre - a.centre);
+    const vector image(shift(grid_, apart));
+    apart += image;
+    if (mag(apart) >= a.radius + b.radius) return;
+    const bodyGroup &g = groups_[a.group], &k = groups_[b.group];
+    if (a.number == b.number && (g.host() == b.group || k.host() == a.group))
+    {
+        return;
+    }
+    const scalar h = cmptMin(grid_.h());
+    const bodyPoints p(g.initialPoints(a.number));
+    bodyPoints q(k.initialPoints(b.number));
+    q.places += image;
+    const bool onePlace = a.group == b.group && mag(apart) < 1e-6 * h;
+    const meeting m =
+        onePlace && p.isSurface() ? meeting::cross : meetingOf(p, q, h);
+    if (m == meeting::none) return;
+    findings& found =
+        m == meeting::cross && g.twoWay() && k.twoWay() ? errors_ : warnings_;
+    if (found.n++) return;
+    OStringStream os;
+    os.precision(6);
+    os << g.nameOfBody(a.number).c_str() << " at " << a.centre << " and "
+       << k.nameOfBody(b.number).c_str() << " at " << b.centre << ' '
+       << (onePlace                 ? "lie in one place"
+           : m == meeting::cross    ? "cross each other"
+           : m == meeting::surround ? "lie one within the other"
+                                    : "are closer than their diameters");
+    found.first = os.str();
+}
+
+void Foam::startChecks::check(const dictionary& dict)
+{
+    const DynamicList<startingBody> bodies(this->bodies());
+    if (bodies.size() < 2) return;
+    scalar largest = 0;
+    for (const startingBody& b : bodies)
+    {
+        largest = max(largest, b.radius);
+    }
     const pointBins bins(grid_, 2 * largest, bodies.size());
     List<DynamicList<label>> inBin(bins.count());
     forAll(bodies, b)
     {
         inBin[bins.numberOf(bodies[b].centre)].append(b);
     }
-
-    const scalar h = cmptMin(grid_.h());
-    label nErrors = 0, nWarnings = 0;
-    string error, warning;
-    const auto judgePair = [&](const startingBody& a, const startingBody& b)
-    {
-        vector apart(b.centre - a.centre);
-        const vector image(shift(grid_, apart));
-        apart += image;
-        if (mag(apart) >= a.radius + b.radius) return;
-        const bodyGroup &g = groups_[a.group], &k = groups_[b.group];
-        if (a.number == b.number &&
-            (g.host() == b.group || k.host() == a.group))
-        {
-            return;
-        }
-        const bodyPoints p(g.initialPoints(a.number));
-        bodyPoints q(k.initialPoints(b.number));
-        q.places += image;
-        const bool onePlace = a.group == b.group && mag(apart) < 1e-6 * h;
-        const meeting m =
-            onePlace && p.isSurface() ? meeting::cross : meetingOf(p, q, h);
-        if (m == meeting::none) return;
-        const bool fatal = m == meeting::cross && g.twoWay() && k.twoWay();
-        ++(fatal ? nErrors : nWarnings);
-        string& first = fatal ? error : warning;
-        if (!first.empty()) return;
-        OStringStream os;
-        os.precision(6);
-        os << g.nameOfBody(a.number).c_str() << " at " << a.centre << " and "
-           << k.nameOfBody(b.number).c_str() << " at " << b.centre << ' '
-           << (onePlace                 ? "lie in one place"
-               : m == meeting::cross    ? "cross each other"
-               : m == meeting::surround ? "lie one within the other"
-                                        : "are closer than their diameters");
-        first = os.str();
-    };
     forAll(bodies, b)
     {
-        // Each pair is looked at by the rank of the second
+        // Each pair is judged by the rank of the second
         const startingBody& body = bodies[b];
         if (!groups_[body.group].mine().found(body.number)) continue;
-        bins.eachNext(bins.numberOf(body.centre),
-                      [&](const label bin)
-                      {
-                          for (const label other : inBin[bin])
-                          {
-                              if (other < b) judgePair(bodies[other], body);
-                          }
-                      });
+        const auto judgeWith = [&](const label bin)
+        {
+            for (const label other : inBin[bin])
+            {
+                if (other < b) judgePair(bodies[other], body);
+            }
+        };
+        bins.eachNext(bins.numberOf(body.centre), judgeWith);
     }
 
-    reduce(nWarnings, sumOp<label>());
-    if (nWarnings)
+    reduce(warnings_.n, sumOp<label>());
+    if (warnings_.n)
     {
         IOWarningInFunction(dict)
-            << firstOf(warning).c_str() << " (such pairs: " << nWarnings << ")"
-            << nl << "    The fluid between them is not resolved" << endl;
+            << firstOf(warnings_.first).c_str()
+            << " (such pairs: " << warnings_.n << ")" << nl
+            << "    The fluid between them is not resolved" << endl;
     }
-    reduce(nErrors, sumOp<label>());
-    if (nErrors)
+    reduce(errors_.n, sumOp<label>());
+    if (errors_.n)
     {
         firstRankSpeaks();
         FatalIOErrorInFunction(dict)
-            << "entry positions: " << firstOf(error).c_str()
-            << " (such pairs: " << nErrors << ")" << nl
+            << "entry positions: " << firstOf(errors_.first).c_str()
+            << " (such pairs: " << errors_.n << ")" << nl
             << "    allowed: bodies beside each other or one within the other, "
             << "or coupling oneWay" << exit(FatalIOError);
     }

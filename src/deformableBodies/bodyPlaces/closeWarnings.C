@@ -1,0 +1,123 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "closeWarnings.H"
+#include "dictionaryChecks.H"
+#include "Time.H"
+
+Foam::closeWarnings::closeWarnings(const Time& time, PtrList<bodyGroup>& groups,
+                                   markerSet& markers,
+                                   const bodyInteractions* interactions)
+    : time_(time),
+      groups_(groups),
+      markers_(markers),
+      numbers_(groups),
+      named_(groups.size() * (groups.size() + 1) / 2, false)
+{
+    forAll(groups_, g)
+    {
+        for (label h = 0; h <= g; ++h)
+        {
+            // No warning of pairs without a force through the fluid, and of pairs that
+            // interact
+            named_[pairOf(g, h)] =
+                !groups_[g].twoWay() || !groups_[h].twoWay() ||
+                (g == h && groups_[g].nBodies() < 2) ||
+                (interactions && interactions->actBetween(g, h));
+        }
+    }
+}
+
+Foam::label Foam::closeWarnings::pairOf(const label g, const label h) const
+{
+    const label a = max(g, h), b = min(g, h);
+    return a * (a + 1) / 2 + b;
+}
+
+Foam::List<Foam::closeWarnings::encounter> Foam::closeWarnings::closest()
+{
+    label n = 0;
+    for (const bodyGroup& group : groups_)
+    {
+        n += group.nMarkers();
+    }
+    vectorField X(n);
+    labelList body(n);
+    label first = 0;
+    forAll(groups_, g)
+    {
+        bodyGroup& group = groups_[g];
+        if (group.mine().empty() || group.nMarkers() == 0) continue;
+        const label each = group.nMarkers() / group.mine().size();
+        group.markers(X.data() + first, 0);
+        forAll(group.mine(), i)
+        {
+            std::fill_n(body.data() + first + i * each, each, group.mine()[i]);
+        }
+
+        // lines() sets -1 for markers beside the line of a fibre
+        group.lines(body.data() + first);
+        for (label k = first; k < first + group.nMarkers(); ++k)
+        {
+            if (!group.twoWay()) body[k] = -1;
+            if (body[k] >= 0) body[k] = numbers_.number(g, body[k]);
+        }
+        first += group.nMarkers();
+    }
+    markers_.place(X);
+
+    List<encounter> closest(named_.size());
+    const auto visit =
+        [&](const label a, const label b, const point& x, const scalar distance)
+    {
+        const label pair = pairOf(numbers_.group(a), numbers_.group(b));
+        encounter& e = closest[pair];
+        if (named_[pair] || distance >= e.distance) return;
+        e.distance = distance;
+        e.a = a;
+        e.b = b;
+        e.position = x;
+    };
+    markers_.closeLines(X, body, visit);
+    return closest;
+}
+
+Foam::string Foam::closeWarnings::describe(const encounter& e) const
+{
+    const auto nameOf = [&](const label number) {
+        return groups_[numbers_.group(number)].nameOfBody(
+            numbers_.body(number));
+    };
+    OStringStream os;
+    os.precision(6);
+    os << nameOf(e.a).c_str() << " and " << nameOf(e.b).c_str() << " are "
+       << e.distance << " cells apart at " << e.position;
+    return os.str();
+}
+
+void Foam::closeWarnings::look()
+{
+    if (steps_++ % 50 || !named_.found(false)) return;
+
+    // Encounters are rare: most calls end with one reduction
+    const List<encounter> closest(this->closest());
+    bool any = false;
+    for (const encounter& e : closest)
+    {
+        any = any || e.distance < GREAT;
+    }
+    if (!returnReduce(any, orOp<bool>())) return;
+    forAll(closest, pair)
+    {
+        const encounter& e = closest[pair];
+        const scalar least = returnReduce(e.distance, minOp<scalar>());
+        if (least == GREAT) continue;
+        named_[pair] = true;
+        const string sentence(
+            firstOf(e.distance == least ? describe(e) : string()));
+        WarningInFunction
+            << sentence.c_str() << ", at time " << time_.timeName() << nl
+            << "    Below 1.5 cells the fluid between bodies is not "
+            << "resolved, and nothing keeps them apart (said once for these "
+            << "groups)" << endl;
+    }
+}
