@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "closeWarnings.H"
+#include "directForcing.H"
 #include "dictionaryChecks.H"
 #include "Time.H"
 
@@ -54,8 +55,11 @@ Foam::List<Foam::closeWarnings::encounter> Foam::closeWarnings::closest()
             std::fill_n(body.data() + first + i * each, each, group.mine()[i]);
         }
 
-        // lines() sets -1 for markers beside the line of a fibre
-        group.lines(body.data() + first);
+        // Markers beside the line of a fibre get -1
+        if (group.forcing() != forcingType::none)
+        {
+            refCast<const directForcing>(group).lines(body.data() + first);
+        }
         for (label k = first; k < first + group.nMarkers(); ++k)
         {
             if (!group.twoWay()) body[k] = -1;

@@ -6,7 +6,7 @@
 namespace Foam
 {
 defineTypeNameAndDebug(collision, 0);
-addToRunTimeSelectionTable(interactionModel, collision, dictionary);
+addToRunTimeSelectionTable(contactForce, collision, dictionary);
 } // namespace Foam
 
 namespace
@@ -16,14 +16,14 @@ using namespace Foam;
 contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
 {
     const scalar h = cmptMax(scene.grid.h());
-    needFibres(dict.parent(), "collision", scene);
+    scene.needFibres(dict.parent(), "collision");
     const scalar borne = 0.25 * scene.mu * sqr(h) / scene.deltaT;
 
     // A fibre that crosses another stops within a quarter of the range, and rests at half
-    // of it, or where the flow presses with all its drag at a twentieth (Morse). Drag leaves
-    // coast/(coast + R) of its energy. The step bears
-    // R (m/dt + c)/(3 dt) of a quarter of mass and drag (see contactLoad::borne), some
-    // contacts at once a quarter of that
+    // the range, or at a twentieth where the flow presses with all its drag (Morse). Drag
+    // leaves coast/(coast + R) of its energy. The step bears R (m/dt + c)/(3 dt) with a
+    // quarter of mass and drag (see contactLoad::borne), and a quarter of this load for
+    // several contacts at once
     const auto strength = [&](const scalar range)
     {
         contactStrength all{0, "mu h^2/(4 deltaT)", GREAT, 0};
@@ -74,7 +74,7 @@ void Foam::collision::add(const closePairs& pairs,
         const scalar lengths =
             points[p.first].size * points[p.second].size / sqr(h_);
 
-        // Closer than this only the direction counts
+        // Fibres that are closer feel the force at this distance
         const scalar least = 0.5 * (a + b);
         const scalar f = law_.between(max(r, least), max(gap, least - a - b));
         const vector force(f * lengths / max(r, SMALL * h_) * p.r);

@@ -10,21 +10,13 @@
 namespace Foam
 {
 defineTypeNameAndDebug(lubrication, 0);
-addToRunTimeSelectionTable(interactionModel, lubrication, dictionary);
+addToRunTimeSelectionTable(contactResistance, lubrication, dictionary);
 } // namespace Foam
 
 namespace
 {
 using namespace Foam;
 const scalar pi = constant::mathematical::pi;
-
-//- The lower body first
-void lowerFirst(std::array<label, 4>& key)
-{
-    if (key[2] < 0 || key[0] < key[2]) return;
-    std::swap(key[0], key[2]);
-    std::swap(key[1], key[3]);
-}
 
 //- Number of a wall by the direction away from it
 label sideOf(const vector& inward)
@@ -54,7 +46,7 @@ Foam::lubrication::lubrication(const dictionary& dict,
       neighbours_(scene.grid),
       copies_(neighbours_)
 {
-    needFibres(dict.parent(), type(), scene);
+    scene.needFibres(dict.parent(), type());
     checkEntries(dict, {"range", "roughness", "coefficient"});
     const scalar most = 0.25 * cmptMin(scene.grid.length());
     if (range_ > most)
@@ -91,7 +83,7 @@ Foam::lubrication::film Foam::lubrication::between(const vector& e1,
     const scalar nearest = mag(connection(a, a + e1, c, c + e2)) - radii;
     if (nearest >= range_) return f;
 
-    // Mid-points, closer than the film is wide
+    // Points in the middle of parts shorter than the film is wide
     const scalar apart = 0.7 * std::sqrt(4 * r * max(nearest, roughness_));
     const label n1 = label(mag(e1) / apart) + 1,
                 n2 = label(mag(e2) / apart) + 1;
@@ -140,7 +132,7 @@ void Foam::lubrication::findResistances(const closePairs& pairs,
         const scalar r1 = points[p.first].radius, r2 = points[p.second].radius;
         if (r1 == 0 || r2 == 0) continue;
 
-        // Parts of one fibre do not move as the two rods that this is made for
+        // Films are between two rods, and parts of one fibre do not move as such
         if (pairs.body()[p.first] == pairs.body()[p.second]) continue;
         film f(between(motions.elements[p.first], motions.elements[p.second],
                        p.r, r1, r2));
@@ -166,37 +158,50 @@ void Foam::lubrication::findResistances(const closePairs& pairs,
     }
 }
 
+Foam::filmMemory::key Foam::lubrication::keyOf(const film& f,
+                                               const closePairs& pairs,
+                                               const fibreMotions& motions)
+{
+    const label i = f.first, j = f.second;
+    if (j < 0)
+    {
+        return {pairs.body()[i], motions.numbers[i], -1, sideOf(f.n)};
+    }
+    return filmMemory::lowerFirst({pairs.body()[i], motions.numbers[i],
+                                   pairs.body()[j], motions.numbers[j]});
+}
+
+Foam::scalar Foam::lubrication::newForce(const film& f,
+                                         const filmMemory::key& key,
+                                         const fibreMotions& motions,
+                                         const scalarField& implicit) const
+{
+    const auto velocity = [&](const label k, const scalar at)
+    { return motions.velocities[k] + at * motions.turns[k]; };
+    vector v(velocity(f.first, f.at));
+    scalar M = implicit[f.first];
+    if (f.second >= 0)
+    {
+        v -= velocity(f.second, f.otherAt);
+        M += implicit[f.second];
+    }
+    const filmMemory::contact* last = memory_.find(key);
+    scalar F = last ? last->force * min(scalar(1), f.k / last->k) : 0;
+    F += (-f.k * (f.n & v) - F) / (1 + M);
+    return F;
+}
+
 void Foam::lubrication::resist(const closePairs& pairs,
                                const fibreMotions& motions,
                                const scalarField& implicit, armedForces& forces)
 {
-    const auto velocity = [&](const label k, const scalar at)
-    { return motions.velocities[k] + at * motions.turns[k]; };
     DynamicList<vector> X(2 * films_.size());
-    DynamicList<scalar> entries(6 * X.capacity());
+    DynamicList<scalar> contacts(6 * X.capacity());
     for (const film& f : films_)
     {
         const label i = f.first, j = f.second;
-        key which{pairs.body()[i], motions.numbers[i], -1, sideOf(f.n)};
-        vector v(velocity(i, f.at));
-        scalar M = implicit[i];
-        if (j >= 0)
-        {
-            which[2] = pairs.body()[j];
-            which[3] = motions.numbers[j];
-            v -= velocity(j, f.otherAt);
-            M += implicit[j];
-        }
-        lowerFirst(which);
-        scalar F = 0;
-        if (!forces_.empty())
-        {
-            const remembered& last = forces_[placeOf(which)];
-            if (last.which[0] >= 0)
-                F = last.force * min(scalar(1), f.k / last.k);
-        }
-        F += (-f.k * (f.n & v) - F) / (1 + M);
-
+        const filmMemory::key key(keyOf(f, pairs, motions));
+        const scalar F = newForce(f, key, motions, implicit);
         forces.F[i] += F * f.n;
         forces.arms[i] += f.at * F * f.n;
         if (f.bothHeld)
@@ -204,71 +209,20 @@ void Foam::lubrication::resist(const closePairs& pairs,
             forces.F[j] -= F * f.n;
             forces.arms[j] -= f.otherAt * F * f.n;
         }
-        const auto file = [&](const label at)
+        filmMemory::append({key, F, f.k}, contacts);
+        if (!Pstream::parRun()) continue;
+        X.append(pairs.holdingPlace(i));
+        if (f.bothHeld)
         {
-            if (Pstream::parRun()) X.append(pairs.holdingPlace(at));
-            for (const label x : which)
-            {
-                entries.append(x);
-            }
-            entries.append(F);
-            entries.append(f.k);
-        };
-        file(i);
-        if (f.bothHeld && Pstream::parRun()) file(j);
+            X.append(pairs.holdingPlace(j));
+            filmMemory::append({key, F, f.k}, contacts);
+        }
     }
     if (!Pstream::parRun())
     {
-        remember(entries);
+        memory_.set(contacts);
         return;
     }
     copies_.place(X, 2);
-    remember(copies_.handOut(entries.cdata(), 6));
-}
-
-Foam::scalarList Foam::lubrication::memory() const
-{
-    DynamicList<scalar> all(6 * forces_.size());
-    for (const remembered& f : forces_)
-    {
-        if (f.which[0] < 0) continue;
-        for (const label x : f.which)
-        {
-            all.append(x);
-        }
-        all.append(f.force);
-        all.append(f.k);
-    }
-    return scalarList(std::move(all));
-}
-
-size_t Foam::lubrication::placeOf(const key& which) const
-{
-    size_t i = 0;
-    for (const label x : which)
-    {
-        i = i * 1000003 + size_t(x);
-    }
-    i ^= i >> 17;
-    const size_t mask = forces_.size() - 1;
-    for (i &= mask; forces_[i].which[0] >= 0 && forces_[i].which != which;)
-    {
-        i = (i + 1) & mask;
-    }
-    return i;
-}
-
-void Foam::lubrication::remember(const scalarList& all)
-{
-    size_t size = 4;
-    while (3 * size < size_t(all.size()))
-        size *= 2;
-    forces_.assign(size, {{{-1, -1, -1, -1}}, 0, 0});
-    for (label n = 0; n < all.size(); n += 6)
-    {
-        const scalar* x = &all[n];
-        key which{label(x[0]), label(x[1]), label(x[2]), label(x[3])};
-        lowerFirst(which);
-        forces_[placeOf(which)] = {which, x[4], x[5]};
-    }
+    memory_.set(copies_.handOut(contacts.cdata(), 6));
 }

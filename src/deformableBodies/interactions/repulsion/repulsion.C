@@ -8,7 +8,7 @@
 namespace Foam
 {
 defineTypeNameAndDebug(repulsion, 0);
-addToRunTimeSelectionTable(interactionModel, repulsion, dictionary);
+addToRunTimeSelectionTable(contactForce, repulsion, dictionary);
 } // namespace Foam
 
 namespace
@@ -17,7 +17,7 @@ using namespace Foam;
 const scalar pi = constant::mathematical::pi;
 
 //- S with which a sphere on a plane, on which it exerts 2 pi a int P, stops within a
-//  quarter of the range, and carries its load at half of it (Morse)
+//  quarter of the range, and carries its load at half the range (Morse)
 contactStrength strengthFor(const contactLoad& load,
                             const interactionScene& scene, const scalar range)
 {
@@ -93,7 +93,7 @@ void Foam::repulsion::tabulate()
 
 Foam::scalar Foam::repulsion::between(const scalar distance) const
 {
-    // Closer than this only the direction counts
+    // Elements that are closer feel the force at this distance
     const scalar d = max(distance, 0.05 * law_.range());
     return law_.between(d, d);
 }

@@ -1,0 +1,186 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+// One step: contact forces, and resistances once the fluid's velocity is known
+
+#include "bodyInteractions.H"
+#include "directForcing.H"
+#include "fibreResistances.H"
+#include "mathematicalConstants.H"
+#include "Time.H"
+
+void Foam::bodyInteractions::update()
+{
+    const auto timing(effects_.time("interactions"));
+    if (returnReduce(near_.isOld() || bodiesChanged(), orOp<bool>()))
+    {
+        compareBoxes();
+    }
+    watch_.begin();
+    samples_.begin();
+    if (!near_.any()) return;
+
+    collectPoints();
+    points_.clearForces(resists());
+    if (surfacePairs_)
+    {
+        act(*surfacePairs_,
+            SubList<label>(points_.body(), points_.nOfSurfaces()), {});
+    }
+    if (linePairs_)
+    {
+        // Parts of a fibre that is not folded cannot come within range before the boxes
+        // are compared again
+        act(*linePairs_, points_.lineBodies(), points_.linesAlong());
+    }
+    if (watch_.surfacesTouch())
+    {
+        watch_.lookBehind(surfacePairs_->pairs(), touchingAreas());
+    }
+    actOfWalls();
+    watch_.end();
+    samples_.addPower(points_.power(), time_.deltaTValue());
+}
+
+void Foam::bodyInteractions::collectPoints()
+{
+    const std::vector<nearBodies::body>& bodies = near_.bodies();
+    const label n = near_.nBodies();
+    points_.clear(n);
+    for (label b = 0; b < n; ++b)
+    {
+        if (bodies[b].near && isSurface(bodies[b].group))
+        {
+            collectSurface(b, bodies[b]);
+        }
+    }
+    for (label b = 0; b < n; ++b)
+    {
+        const nearBodies::body& body = bodies[b];
+        if (!body.near || isSurface(body.group)) continue;
+        const bodyPoints p(groups_[body.group].points(body.local));
+        points_.addLine(b, body.number, p.places, p.velocities,
+                        std::sqrt(p.crossSection / constant::mathematical::pi),
+                        body.folded);
+    }
+}
+
+void Foam::bodyInteractions::collectSurface(const label index,
+                                            const nearBodies::body& b)
+{
+    const bodyGroup& group = groups_[b.group];
+    const scalarField& areas = areas_[b.group];
+    const auto place = [&](vector* X, vector* V)
+    {
+        group.contactPoints(b.local, X, V);
+        if (group.forcing() == forcingType::none) return;
+
+        // Bodies of direct forcing are at the start of the step
+        const scalar dt = time_.deltaTValue();
+        forAll(areas, k)
+        {
+            X[k] += dt * V[k];
+        }
+    };
+    points_.addSurface(index, b.number, areas, place);
+}
+
+void Foam::bodyInteractions::act(contactSearch& search, const labelUList& body,
+                                 const UList<scalar>& along)
+{
+    search.search(points_.X(), points_.points(), body, along,
+                  2 * (search.pairs().range() + near_.skin()));
+    watch_.look(search.pairs(), search.points());
+    const auto add = [&](vectorField& F)
+    {
+        for (const contactForce& force : models_.forces())
+        {
+            const auto timing(effects_.time(force.type()));
+            force.add(search.pairs(), search.points(), F);
+        }
+    };
+    search.addForces(add, points_.forces().F);
+}
+
+Foam::vectorField Foam::bodyInteractions::touchingAreas() const
+{
+    const label n = points_.nOfSurfaces();
+    const scalarField touching(watch_.touching(surfacePairs_->pairs(), n));
+    vectorField areas(n, Zero);
+    for (label b = 0; b < near_.nBodies(); ++b)
+    {
+        const nearBodies::body& body = near_.bodies()[b];
+        const contactPoints::range& points = points_.ofBody(b);
+        if (!isSurface(body.group) ||
+            sum(SubField<scalar>(touching, points.size, points.first)) == 0)
+        {
+            continue;
+        }
+        SubField<vector>(areas, points.size, points.first) =
+            groups_[body.group].points(body.local).areas;
+    }
+    return areas;
+}
+
+void Foam::bodyInteractions::actOfWalls()
+{
+    for (label b = 0; b < near_.nBodies(); ++b)
+    {
+        const nearBodies::body& body = near_.bodies()[b];
+        if (!body.nearWall) continue;
+        const contactPoints::range& points = points_.ofBody(b);
+        for (label k = points.first; k < points.end(); ++k)
+        {
+            const vector& x = points_.X()[k];
+            vector inward;
+            const scalar distance = walls_.distance(x, inward);
+            if (distance >= models_.range()) continue;
+            const interactingPoint& p = points_.points()[k];
+            const scalar P = models_.ofWall(distance - p.radius, p.radius == 0);
+            points_.forces().F[k] += P * p.size * inward;
+
+            // A point without velocity is held at the wall
+            if (P > 0 && distance < 0.5 * p.radius && mag(points_.V()[k]) > 0)
+            {
+                watch_.pressedIntoWall(p.radius - distance, body.number, x);
+            }
+        }
+    }
+}
+
+void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
+                                    const scalar* lineDensity,
+                                    const bodyStep& step)
+{
+    if (!resists()) return;
+    const auto timing(effects_.time("interactions"));
+    if (!near_.any())
+    {
+        remember(List<scalarList>(models_.resistances().size()));
+        return;
+    }
+
+    // Velocities that the points of this rank would have; effect of a force on each body
+    lineMotions motions(points_.size());
+    scalarField yield(near_.bodies().size(), Zero);
+    vectorField v;
+    for (const label g : groups)
+    {
+        const bodyGroup& group = groups_[g];
+        const label n = group.mine().size();
+        for (label i = 0; i < n; ++i)
+        {
+            const label b = near_.find(numbers_.number(g, group.mine()[i]));
+            if (near_.bodies()[b].near)
+            {
+                yield[b] = refCast<const directForcing>(group).freeVelocities(
+                    i, U, lineDensity, step, v);
+                points_.moveLine(b, group.points(i).places, v, motions);
+            }
+            U += group.nMarkers() / n;
+            lineDensity += group.nMarkers() / n;
+        }
+    }
+    const fibreResistances all(models_.resistances(), *linePairs_, walls_,
+                               effects_);
+    samples_.addPower(all.add(motions, yield, points_), step.dt);
+}

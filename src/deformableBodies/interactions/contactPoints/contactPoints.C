@@ -1,0 +1,118 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "contactPoints.H"
+#include <cmath>
+
+void Foam::contactPoints::clear(const label nBodies)
+{
+    ranges_.clear();
+    ranges_.setSize(nBodies, range{0, 0});
+    body_.clear();
+    X_.clear();
+    V_.clear();
+    points_.clear();
+    parts_.clear();
+    along_.clear();
+    firstOfLines_ = 0;
+}
+
+void Foam::contactPoints::addLine(const label index, const label number,
+                                  const UList<vector>& x,
+                                  const UList<vector>& v, const scalar radius,
+                                  const bool folded)
+{
+    ranges_[index].first = X_.size();
+    interactingPoint point{0, radius};
+    const scalar apart = max(min(0.5 * h_, 2 * radius), 0.1 * h_);
+    scalar before = 0;
+    for (label k = 0; k + 1 < x.size(); ++k)
+    {
+        const scalar length = mag(x[k + 1] - x[k]);
+        // One number of parts whatever the rounding of segments as long as a cell
+        const label parts = label(std::ceil(length / apart * (1 - 1e-6)));
+        for (label j = 0; j < parts; ++j)
+        {
+            point.size = length / parts * h_;
+            const scalar onward = (j + 0.5) / parts;
+            parts_.append({k, onward, scalar(1) / parts});
+            along_.append(folded ? before + onward * length : -1);
+            X_.append((1 - onward) * x[k] + onward * x[k + 1]);
+            V_.append((1 - onward) * v[k] + onward * v[k + 1]);
+            points_.append(point);
+            body_.append(number);
+        }
+        before += length;
+    }
+    ranges_[index].size = X_.size() - ranges_[index].first;
+}
+
+void Foam::contactPoints::clearForces(const bool withArms)
+{
+    F_.F.setSize(X_.size());
+    F_.F = Zero;
+    if (withArms) F_.arms = F_.F;
+}
+
+Foam::labelList Foam::contactPoints::lineBodies() const
+{
+    labelList bodies(body_);
+    for (label k = 0; k < firstOfLines_; ++k)
+    {
+        bodies[k] = -1 - bodies[k];
+    }
+    return bodies;
+}
+
+Foam::scalarField Foam::contactPoints::linesAlong() const
+{
+    scalarField along(X_.size(), -1);
+    std::copy(along_.begin(), along_.end(), along.begin() + firstOfLines_);
+    return along;
+}
+
+void Foam::contactPoints::moveLine(const label index, const UList<vector>& x,
+                                   const UList<vector>& v,
+                                   lineMotions& motions) const
+{
+    const scalar segments = x.size() - 1;
+    const range& points = ranges_[index];
+    for (label k = points.first; k < points.end(); ++k)
+    {
+        const partOfSegment& on = parts_[k - firstOfLines_];
+        const label s = on.segment;
+        motions.number[k] = k - points.first;
+        motions.along[k] = mag((s + on.onward) / segments - 0.5);
+        motions.element[k] = on.part * (x[s + 1] - x[s]);
+        motions.turn[k] = on.part * (v[s + 1] - v[s]);
+        motions.velocity[k] = v[s] + on.onward * (v[s + 1] - v[s]);
+    }
+}
+
+void Foam::contactPoints::addTo(const label index, vectorField& F) const
+{
+    const range& points = ranges_[index];
+    for (label i = 0; i < points.size; ++i)
+    {
+        const label k = points.first + i;
+        if (k < firstOfLines_)
+        {
+            F[i] += F_.F[k];
+            continue;
+        }
+        const partOfSegment& on = parts_[k - firstOfLines_];
+        vector ahead(on.onward * F_.F[k]);
+        if (F_.arms.size()) ahead += on.part * F_.arms[k];
+        F[on.segment] += F_.F[k] - ahead;
+        F[on.segment + 1] += ahead;
+    }
+}
+
+Foam::scalar Foam::contactPoints::power() const
+{
+    scalar power = 0;
+    forAll(X_, k)
+    {
+        power += F_.F[k] & V_[k];
+    }
+    return power;
+}

@@ -1,0 +1,79 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "contactLoad.H"
+#include "bodyGroup.H"
+#include "mathematicalConstants.H"
+
+namespace
+{
+using namespace Foam;
+const scalar pi = constant::mathematical::pi;
+
+//- Weight and loads of the first body of a group [N]: largest at nine times
+scalar weightAndLoads(const bodyPoints& p, const word& group,
+                      const bodyScene& scene, const scalar startTime)
+{
+    scalar largest = 0;
+    for (label i = 0; i <= 8 && scene.forces.actOn(group, 0); ++i)
+    {
+        vectorField F(p.places.size(), Zero);
+        scene.forces.add(
+            group, 0, [&]() { return p; },
+            startTime + 0.125 * i * scene.duration, scene.effects, F);
+        largest = max(largest, max(mag(sum(F)), 0.5 * sum(mag(F))));
+    }
+    return largest;
+}
+} // namespace
+
+Foam::contactLoad Foam::contactLoad::of(const PtrList<bodyGroup>& groups,
+                                        const label g, const flowScales& flow,
+                                        const bodyScene& scene,
+                                        const scalar startTime)
+{
+    const bodyGroup& group = groups[g];
+    const bodyPoints p(group.points(-1));
+    contactLoad load{p.isSurface(), 0, 0, 0, 0, 0, 0, GREAT, ""};
+    scalar volume, size, square; // drag = load.drag U + square U^2
+    if (p.isSurface())
+    {
+        volume = sum(p.places & p.areas) / 3;
+        size = load.radius = std::cbrt(0.75 * volume / pi);
+        load.drag = 6 * pi * scene.mu * size;
+        square = 0.2 * pi * scene.rho * sqr(size);
+        load.mass = (p.densityRatio + 0.5) * scene.rho * volume;
+        for (label soft = g; soft >= 0; soft = groups[soft].host())
+        {
+            load.softness =
+                min(load.softness, groups[soft].points(-1).stiffness / size);
+        }
+    }
+    else
+    {
+        const scalar L = sum(p.lengths);
+        load.radius = std::sqrt(p.crossSection / pi);
+        volume = p.crossSection * L;
+        size = 0.5 * L;
+        load.drag = 4 * pi * scene.mu * L /
+                    (std::log(max(L / load.radius, scalar(3))) + 0.193);
+        square = scene.rho * load.radius * L;
+        load.mass = (p.densityRatio + 1) * scene.rho * volume;
+    }
+
+    load.own = weightAndLoads(p, group.name(), scene, startTime);
+    const scalar byFlow = flow.rate > 0    ? flow.rate * size
+                          : flow.speed > 0 ? flow.speed
+                          : load.own > 0   ? 0
+                                           : scene.mu / (scene.rho * size);
+    load.force = load.own + load.drag * byFlow + square * sqr(byFlow);
+    load.speed = byFlow + (std::sqrt(sqr(load.drag) + 4 * square * load.own) -
+                           load.drag) /
+                              (2 * square);
+    OStringStream os;
+    os.precision(3);
+    os << group.name().c_str() << ": weight and loads " << load.own
+       << " N, flow " << load.force - load.own << " N, speed " << load.speed
+       << " m/s";
+    load.reason = os.str();
+    return load;
+}

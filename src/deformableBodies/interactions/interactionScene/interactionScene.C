@@ -1,0 +1,74 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "interactionScene.H"
+#include "bodyGroup.H"
+#include "dictionaryChecks.H"
+#include "mathematicalConstants.H"
+#include "sceneNumbers.H"
+#include "Time.H"
+
+bool Foam::interactionScene::takesPart(const bodyGroup& group)
+{
+    return group.takesForces() && !group.alone();
+}
+
+Foam::interactionScene
+Foam::interactionScene::of(const fvMesh& mesh, const PtrList<bodyGroup>& groups,
+                           const bodyScene& scene)
+{
+    const dictionary& control = mesh.time().controlDict();
+    string from;
+    const flowScales flow(scalesAtStart(mesh, from));
+    interactionScene all{scene.grid,
+                         scene.mu,
+                         control.found("deltaT")
+                             ? readPositive(control, "deltaT", dimTime)
+                             : mesh.time().deltaTValue(),
+                         0,
+                         0,
+                         GREAT,
+                         List<contactLoad>()};
+    forAll(groups, g)
+    {
+        if (!takesPart(groups[g])) continue;
+        all.loads.append(contactLoad::of(groups, g, flow, scene,
+                                         mesh.time().startTime().value()));
+        all.add(groups[g].points(-1));
+    }
+    return all;
+}
+
+void Foam::interactionScene::add(const bodyPoints& p)
+{
+    const scalar pi = constant::mathematical::pi;
+    if (p.isSurface())
+    {
+        const scalar area = sum(mag(p.areas));
+        const scalar Gs = p.stiffness / std::sqrt(area / (4 * pi));
+        softest = softest ? min(softest, Gs) : Gs;
+    }
+    else
+    {
+        const scalar radius = std::sqrt(p.crossSection / pi);
+        thickest = max(thickest, radius);
+        thinnest = min(thinnest, radius);
+    }
+}
+
+void Foam::interactionScene::needFibres(const dictionary& interactions,
+                                        const word& model) const
+{
+    if (thickest == 0)
+    {
+        refuse(interactions, model, "{...}",
+               "scenes with filaments in a fluid");
+    }
+    const scalar h = cmptMax(grid.h());
+    if (thinnest < 0.125 * h)
+    {
+        refuse(interactions, model,
+               "{...} with filaments of diameter " + Foam::name(2 * thinnest),
+               "diameters of " + Foam::name(0.25 * h) +
+                   " (a quarter of a cell) and more");
+    }
+}
