@@ -4,6 +4,7 @@
 #include "dictionary.H"
 #include "IStringStream.H"
 #include "mathematicalConstants.H"
+#include "periodicBox.H"
 #include "repulsion.H"
 #include "unitTest.H"
 
@@ -187,7 +188,7 @@ TEST(ClosePairs, patchesAreCompact)
 namespace
 {
 //- Forces of a model between clouds satisfy action = reaction
-void isMutual(const interactionModel& model, const scalar radius)
+void isMutual(const contactForce& model, const scalar radius)
 {
     const scalar h = cmptMin(grid().h());
     closePairs pairs(grid(), model.range(radius == 0, radius == 0));

@@ -1,0 +1,127 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "contactPoints.H"
+#include "unitTest.H"
+
+using namespace Foam;
+
+namespace
+{
+const uniformGrid& grid()
+{
+    return uniformGrid::New(test::mesh());
+}
+
+//- A surface of four points and a bent fibre of two segments, in units of the cell
+struct scene
+{
+    const scalar h = cmptMax(grid().h()), radius = 0.2 * h;
+    const scalarField areas{1, 2, 3, 4};
+    const vectorField x{vector(0, 0, 0), vector(2.3 * h, 0, 0),
+                        vector(2.3 * h, 1.1 * h, 0)};
+    const vectorField v{vector(1, 0, 0), vector(0, 1, 2), vector(3, 0, 0)};
+    contactPoints points;
+
+    explicit scene(const bool folded)
+        : points(grid())
+    {
+        points.clear(3); // the first body is not near anything
+        points.addSurface(2, 12, areas,
+                          [](vector* X, vector* V)
+                          {
+                              for (label k = 0; k < 4; ++k)
+                              {
+                                  X[k] = vector(k, 0, 0);
+                                  V[k] = vector(0, k, 0);
+                              }
+                          });
+        points.addLine(1, 11, x, v, radius, folded);
+    }
+};
+} // namespace
+
+// Surfaces first, points of fibres at most half a cell apart, sizes that add up to the
+// area of a fibre
+TEST(ContactPoints, pointsOfBodies)
+{
+    const scene s(true);
+    const contactPoints& points = s.points;
+    EXPECT_EQ(points.ofBody(0).size, 0);
+    EXPECT_EQ(points.ofBody(2).first, 0);
+    EXPECT_EQ(points.ofBody(2).size, 4);
+    EXPECT_EQ(points.nOfSurfaces(), 4);
+    EXPECT_EQ(points.ofBody(1).first, 4);
+
+    // Diameter 0.4 h: 6 + 3 points
+    EXPECT_EQ(points.ofBody(1).size, 9);
+    EXPECT_EQ(points.size(), 13);
+    scalar area = 0;
+    for (label k = 4; k < 13; ++k)
+    {
+        EXPECT_EQ(points.body()[k], 11);
+        EXPECT_EQ(points.points()[k].radius, s.radius);
+        area += points.points()[k].size;
+    }
+    EXPECT_NEAR(area / (3.4 * sqr(s.h)), 1, 1e-13);
+    EXPECT_EQ(points.points()[1].size, 2);
+    EXPECT_EQ(points.points()[1].radius, 0);
+    EXPECT_EQ(points.V()[3], vector(0, 3, 0));
+
+    const labelList bodies(points.lineBodies());
+    const scalarField along(points.linesAlong());
+    EXPECT_EQ(bodies[0], -13);
+    EXPECT_EQ(bodies[4], 11);
+    EXPECT_EQ(along[0], -1);
+    for (label k = 4; k < 13; ++k)
+    {
+        const vector& X = points.X()[k];
+        EXPECT_NEAR(along[k], X.x() + X.y(), 1e-12 * s.h);
+    }
+    EXPECT_EQ(max(scene(false).points.linesAlong()), -1);
+}
+
+// Forces on the points reach the nodes with their sum, torque and power
+TEST(ContactPoints, forcesReachTheNodes)
+{
+    scene s(false);
+    contactPoints& points = s.points;
+    points.clearForces(true);
+    Random random(1);
+    lineMotions motions(points.size());
+    points.moveLine(1, s.x, s.v, motions);
+    vector sumF(Zero), torque(Zero);
+    scalar power = 0, pointPower = 0;
+    for (label k = 4; k < points.size(); ++k)
+    {
+        const vector F(random.sample01<vector>() - 0.5 * vector::one);
+        const scalar arm = random.sample01<scalar>() - 0.5;
+        points.forces().F[k] = F;
+        points.forces().arms[k] = arm * F;
+        sumF += F;
+        torque += (points.X()[k] + arm * motions.element[k]) ^ F;
+        power += F & (motions.velocity[k] + arm * motions.turn[k]);
+        pointPower += F & motions.velocity[k];
+        EXPECT_EQ(motions.number[k], k - 4);
+        EXPECT_LE(mag(motions.velocity[k] - points.V()[k]), 1e-13);
+    }
+    vectorField F(3, Zero), nothing(4, Zero);
+    points.addTo(1, F);
+    points.addTo(2, nothing);
+    EXPECT_EQ(sum(mag(nothing)), 0);
+    vector nodeTorque(Zero);
+    scalar nodePower = 0;
+    forAll(F, i)
+    {
+        nodeTorque += s.x[i] ^ F[i];
+        nodePower += s.v[i] & F[i];
+    }
+    test::expectBelow("force", mag(sum(F) - sumF), 1e-13);
+    test::expectBelow("torque over h", mag(nodeTorque - torque) / s.h, 1e-13);
+    test::expectBelow("power", mag(nodePower - power), 1e-13);
+    test::expectBelow("power without arms", mag(points.power() - pointPower),
+                      1e-13);
+
+    // Places along a fibre of two segments are counted in segments, from its middle
+    EXPECT_NEAR(motions.along[4], 0.5 - 0.5 / 12, 1e-13);
+    EXPECT_NEAR(motions.along[12], 0.5 - 0.5 / 6, 1e-13);
+}

@@ -1,0 +1,114 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "overlapWatch.H"
+#include "unitTest.H"
+
+using namespace Foam;
+
+namespace
+{
+const uniformGrid& grid()
+{
+    return uniformGrid::New(test::mesh());
+}
+
+string nameOf(const label body)
+{
+    return "body " + Foam::name(body);
+}
+
+//- Points in a row at these heights over the middle of the box, one body each
+struct row
+{
+    vectorField X;
+    labelList body;
+    closePairs pairs;
+
+    row(const scalarField& heights, const scalar range)
+        : X(heights.size()),
+          body(identity(heights.size())),
+          pairs(grid(), range)
+    {
+        forAll(X, k)
+        {
+            X[k] = grid().origin() + 0.5 * grid().length() +
+                   vector(0, 0, heights[k]);
+        }
+        pairs.search(X, body);
+    }
+};
+} // namespace
+
+// Fibres overlap where axes are within 0.9 of the radii, and walls are counted as well
+TEST(OverlapWatch, fibres)
+{
+    if (Pstream::parRun()) return;
+    const scalar h = cmptMin(grid().h()), radius = 0.5 * h;
+    const row r(scalarField({0, 0.95 * h, 1.7 * h}), 1.2 * h);
+    const List<interactingPoint> points(3, interactingPoint{sqr(h), radius});
+    overlapWatch watch(test::mesh().time(), nameOf, true);
+    watch.begin();
+    watch.look(r.pairs, points);
+    EXPECT_FALSE(watch.surfacesTouch());
+    EXPECT_EQ(watch.nPairs(), 4); // two pairs, counted twice
+    EXPECT_NEAR(watch.closest(), 0.75 * h, 1e-12 * h);
+    watch.end();
+    EXPECT_EQ(watch.nOverlaps(), 1);
+    EXPECT_NEAR(watch.deepest(), 0.25 * h, 1e-12 * h);
+
+    watch.begin();
+    EXPECT_EQ(watch.nPairs(), 0);
+    EXPECT_EQ(watch.closest(), GREAT);
+    watch.pressedIntoWall(0.4 * h, 0, r.X[0]);
+    watch.pressedIntoWall(0.1 * h, 2, r.X[2]);
+    watch.end();
+    EXPECT_EQ(watch.nOverlaps(), 3);
+    EXPECT_EQ(watch.deepest(), 0.4 * h);
+
+    // A smaller overlap of known bodies changes nothing
+    watch.begin();
+    watch.pressedIntoWall(0.2 * h, 0, r.X[0]);
+    watch.end();
+    EXPECT_EQ(watch.nOverlaps(), 3);
+    EXPECT_EQ(watch.deepest(), 0.4 * h);
+}
+
+// Where nothing keeps fibres apart they may cross
+TEST(OverlapWatch, fibresThatNothingKeepsApart)
+{
+    if (Pstream::parRun()) return;
+    const scalar h = cmptMin(grid().h());
+    const row r(scalarField({0, 0.1 * h}), h);
+    overlapWatch watch(test::mesh().time(), nameOf, false);
+    watch.begin();
+    watch.look(r.pairs,
+               List<interactingPoint>(2, interactingPoint{sqr(h), 0.5 * h}));
+    watch.end();
+    EXPECT_EQ(watch.nPairs(), 2);
+    EXPECT_EQ(watch.nOverlaps(), 0);
+}
+
+// Surfaces cross where either point lies behind the other's surface: normals point away
+// from each other. They do not where normals face each other
+TEST(OverlapWatch, surfaces)
+{
+    if (Pstream::parRun()) return;
+    const scalar h = cmptMin(grid().h()), depth = 0.2 * h;
+    const row r(scalarField({0, depth}), h);
+    const List<interactingPoint> points(2, interactingPoint{sqr(h), 0});
+    const vector up(0, 0, sqr(h)); // area of a point
+    for (const bool cross : {false, true})
+    {
+        overlapWatch watch(test::mesh().time(), nameOf, true);
+        watch.begin();
+        watch.look(r.pairs, points);
+        EXPECT_TRUE(watch.surfacesTouch());
+        EXPECT_EQ(sum(watch.touching(r.pairs, 2)), 2);
+
+        watch.lookBehind(r.pairs, cross ? vectorField({-up, up})
+                                        : vectorField({up, -up}));
+        watch.end();
+        EXPECT_EQ(watch.nOverlaps(), cross ? 1 : 0);
+        EXPECT_NEAR(watch.deepest(), cross ? depth : 0, 1e-12 * h);
+    }
+}
