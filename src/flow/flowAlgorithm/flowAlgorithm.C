@@ -3,7 +3,7 @@
 #include "flowAlgorithm.H"
 #include "dictionaryChecks.H"
 #include "flowSources.H"
-#include "staggeredFlow.H"
+#include "wallConditions.H"
 
 Foam::flowAlgorithm::flowAlgorithm(const dictionary& controls,
                                    const std::function<string()>& obstacle)
@@ -16,6 +16,18 @@ Foam::flowAlgorithm::flowAlgorithm(const dictionary& controls,
         refuse(controls, "flowAlgorithm", "staggered",
                "pimple or auto here, as " + reason_);
     }
+}
+
+Foam::string Foam::flowAlgorithm::unsupported(const uniformGrid& grid)
+{
+    if (!grid.valid()) return "the mesh is no uniform box: " + grid.reason();
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (grid.n()[d] > 2) continue;
+        return "there are fewer than three cells in direction " +
+               string(vector::componentNames[d]);
+    }
+    return string::null;
 }
 
 Foam::string Foam::flowAlgorithm::obstacle(const volVectorField& U,
@@ -31,8 +43,11 @@ Foam::string Foam::flowAlgorithm::obstacle(const volVectorField& U,
               : "staggered supports laminar flow with transportModel Newtonian "
               "or prescribed only; turbulence is " +
                     turbulence + ", transportModel " + transport);
+    const string mesh(unsupported(uniformGrid::New(U.mesh())));
+    const string conditions(
+        mesh.empty() ? wallConditions::unsupported(U, p) : mesh);
     string all;
-    for (const string& one : {staggeredFlow::unsupported(U, p), models,
+    for (const string& one : {conditions, models,
                               flowSources::unsupported(sources, U)})
     {
         if (!one.empty()) all += (all.empty() ? "" : "; ") + one;
@@ -80,6 +95,24 @@ void Foam::flowAlgorithm::expect(CourantGuard& guard, const bool bodies,
     {
         guard.expect(5, "pimple with nOuterCorrectors 1", false);
     }
+}
+
+void Foam::flowAlgorithm::requireBlocks(const fvMesh& mesh,
+                                        const dictionary& controls)
+{
+    const uniformGrid& grid = uniformGrid::New(mesh);
+    const bool whole = grid.index().size() == grid.box().count();
+    if (returnReduce(whole && grid.index().size(), andOp<bool>())) return;
+
+    firstRankSpeaks();
+    FatalIOErrorInFunction(controls)
+        << "only the decomposition keeps this case from the flow algorithm "
+        << "staggered: the cells of a rank must be one rectangular block" << nl
+        << "    either write method uniformBoxes; in system/decomposeParDict, "
+        << "libs (deformableBodies); in system/controlDict, and run "
+        << "decomposePar -force" << nl
+        << "    or write PIMPLE { flowAlgorithm pimple; } in "
+        << "system/fvSolution, which is far slower" << exit(FatalIOError);
 }
 
 void Foam::flowAlgorithm::checkControls(const dictionary& controls,

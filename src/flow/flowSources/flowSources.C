@@ -29,7 +29,7 @@ fvVectorMatrix matrixOf(fv::option& o, const volVectorField& U)
     return eqn;
 }
 
-//- Is there anything on the diagonal? A zero is no implicit part
+//- True if the diagonal is not zero on any rank
 bool isImplicit(const fvVectorMatrix& eqn)
 {
     const bool here = eqn.hasDiag() && max(mag(eqn.diag())) > 0;
@@ -190,7 +190,7 @@ Foam::flowSources::flowSources(fv::optionList& options, volVectorField& U,
             held_ = &o;
             Ubar_ = o.coeffs().get<vector>("Ubar");
 
-            // In the file and by the entry in which OpenFOAM's own option keeps it
+            // File and entry are those of OpenFOAM's own option
             const word name(o.name() + "Properties");
             const auto before = stateOfTime(U.mesh(), name);
             if (before)
@@ -226,11 +226,12 @@ void Foam::flowSources::add()
     if (held_ && held_->isActive())
     {
         const direction d = axisOf(Ubar_);
-        flow_.hold(d, Ubar_[d], sign(Ubar_[d]) * gradient_);
+        flow_.mean().hold(d, Ubar_[d], sign(Ubar_[d]) * gradient_,
+                          flow_.force());
     }
     else
     {
-        flow_.release();
+        flow_.mean().release();
         gradient_ = 0;
         wasHeld_ = false;
     }
@@ -252,8 +253,9 @@ void Foam::flowSources::add()
                 << "the staggered algorithm does not know; use flowAlgorithm "
                 << "pimple" << exit(FatalIOError);
         }
-        flow_.addCells(eqn.source(),
-                       -1 / uniformGrid::New(U_.mesh()).cellVolume());
+        flow_.fields().addCells(
+            eqn.source(), -1 / uniformGrid::New(U_.mesh()).cellVolume(),
+            flow_.force());
     }
 }
 
@@ -261,16 +263,16 @@ void Foam::flowSources::report()
 {
     if (!held_ || !held_->isActive()) return;
 
-    // In its first step it has to bring the flow to this mean, once
+    // The first step brings the flow to this mean, once
     gradient_ =
-        wasHeld_ ? sign(Ubar_[axisOf(Ubar_)]) * flow_.meanGradient() : 0;
+        wasHeld_ ? sign(Ubar_[axisOf(Ubar_)]) * flow_.mean().gradient() : 0;
     wasHeld_ = true;
     Info << "Pressure gradient source: uncorrected Ubar = "
-         << flow_.meanBefore()
-         << ", pressure gradient = " << flow_.meanGradient() << endl;
+         << flow_.mean().meanBefore()
+         << ", pressure gradient = " << flow_.mean().gradient() << endl;
     if (file_.valid())
     {
-        *file_ << U_.time().value() << ' ' << flow_.meanGradient() << ' '
-               << flow_.meanBefore() << endl;
+        *file_ << U_.time().value() << ' ' << flow_.mean().gradient() << ' '
+               << flow_.mean().meanBefore() << endl;
     }
 }

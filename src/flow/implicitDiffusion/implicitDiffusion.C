@@ -19,14 +19,15 @@ Foam::implicitDiffusion::implicitDiffusion(const uniformGrid& grid,
     }
 }
 
-// The directions of a component follow each other, while it is in the cache, up to one
-// whose lines wait for other ranks. Those come first, where the order is free: the next
-// direction makes their correction
+// Sweep a component in all directions while it is cached; stop at the first direction that
+// needs other ranks, and go on when the other components have come as far. Directions that
+// need other ranks come first where the order is free
 void Foam::implicitDiffusion::byLines(const FixedList<scalar*, 3>& x,
                                       const scalar b,
                                       const wallVelocities& change)
 {
-    // Factors with walls that change do not commute: what one adds only the later ones see
+    // Factors with walls that change do not commute: only later ones see the change that
+    // one adds
     const bool resting = change == wallVelocities(FixedList<vector, 2>(Zero));
     FixedList<direction, 3> order({0, 1, 2});
     label n = 0;
@@ -38,23 +39,21 @@ void Foam::implicitDiffusion::byLines(const FixedList<scalar*, 3>& x,
         }
     }
 
-    // The first direction, and each after one that waits, or the end
+    // From the first direction, or the one after a direction that waits, to the next one
+    // that waits
     for (label first = 0; first <= 3; ++first)
     {
         if (first && !lines_[0][order[first - 1]]->waits()) continue;
         for (direction c = 0; c < 3; ++c)
         {
             if (!x[c]) continue;
-            lineSolver* earlier =
-                first ? lines_[c][order[first - 1]].get() : nullptr;
-            if (first == 3) earlier->finish(x[c]);
+            if (first) lines_[c][order[first - 1]]->finish(x[c]);
             for (label i = first; i < 3; ++i)
             {
                 const direction d = order[i];
                 lines_[c][d]->begin(x[c], b / sqr(grid_.h()[d]),
-                                    change[d][0][c], change[d][1][c], earlier);
+                                    change[d][0][c], change[d][1][c]);
                 if (lines_[c][d]->waits()) break;
-                earlier = nullptr;
             }
         }
     }

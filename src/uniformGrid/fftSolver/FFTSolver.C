@@ -65,8 +65,8 @@ Foam::solverPerformance Foam::FFTSolver::solve(scalarField& psi,
     }
     if (!performance.checkConvergence(tolerance_, relTol_))
     {
-        // What no solution has: the mean, where the level of psi is free; and
-        // what round-off leaves of the sums over neighbours
+        // Residual that no solution removes: the mean, where the level of psi is free,
+        // and round-off in the sums over neighbours
         if (box.singular()) residual -= gAverage(residual);
         const scalar reached = gSumMag(residual) / norm;
         const scalar roundOff =

@@ -111,16 +111,14 @@ void Foam::boxMatrix::readNeighbours(const lduMatrix::solver& s)
     }
     forAll(s.interfaces(), patchi)
     {
-        if (s.interfaces().set(patchi))
+        if (!s.interfaces().set(patchi)) continue;
+        const scalarField& c = s.interfaceBouCoeffs()[patchi];
+        const label start = mesh_.boundaryMesh()[patchi].start();
+        forAll(c, i)
         {
-            const scalarField& c = s.interfaceBouCoeffs()[patchi];
-            const label start = mesh_.boundaryMesh()[patchi].start();
-            forAll(c, i)
-            {
-                // Seen from both sides: half each, so that the mean is that of
-                // the box, however it is decomposed
-                entry[grid_.faceDirection(start + i)].add(-c[i], 0.5);
-            }
+            // Both sides see the face: half each, so that the mean is that of the
+            // box, however it is decomposed
+            entry[grid_.faceDirection(start + i)].add(-c[i], 0.5);
         }
     }
     spread::reduce(entry);
@@ -150,17 +148,14 @@ void Foam::boxMatrix::readSides(const lduMatrix::solver& s)
     List<spread> entry(6);
     forAll(s.interfaceIntCoeffs(), patchi)
     {
-        if (!s.interfaces().set(patchi))
+        if (s.interfaces().set(patchi)) continue;
+        const scalarField& c = s.interfaceIntCoeffs()[patchi];
+        const label start = mesh_.boundaryMesh()[patchi].start();
+        forAll(c, i)
         {
-            const scalarField& c = s.interfaceIntCoeffs()[patchi];
-            const label start = mesh_.boundaryMesh()[patchi].start();
-            forAll(c, i)
-            {
-                const direction d = grid_.faceDirection(start + i);
-                const label side = grid_.lowerSide(start + i) ? 0 : 1;
-                const scalar scale = a_[d] ? a_[d] : 1;
-                entry[2 * d + side].add(c[i] / scale);
-            }
+            const direction d = grid_.faceDirection(start + i);
+            const label side = grid_.lowerSide(start + i) ? 0 : 1;
+            entry[2 * d + side].add(c[i] / (a_[d] ? a_[d] : 1));
         }
     }
     spread::reduce(entry);
@@ -176,7 +171,6 @@ void Foam::boxMatrix::readSides(const lduMatrix::solver& s)
             const bool fixed = e.mean() > 1;
             (side ? sides_[d].upperDirichlet : sides_[d].lowerDirichlet) =
                 fixed;
-
             const scalar expected = fixed ? 2 : 0;
             if (mag(e.low - expected) > constantTolerance ||
                 mag(e.high - expected) > constantTolerance)
@@ -194,7 +188,7 @@ void Foam::boxMatrix::readDiagonal(const lduMatrix::solver& s)
 {
     const lduMatrix& m = s.matrix();
 
-    // What is left of the diagonal without neighbours and sides
+    // Diagonal without the contributions of neighbours and sides
     scalarField rest(m.diag());
     const labelUList& l = m.lduAddr().lowerAddr();
     const labelUList& u = m.lduAddr().upperAddr();
@@ -252,7 +246,7 @@ void Foam::boxMatrix::readDiagonal(const lduMatrix::solver& s)
         }
     }
 
-    // What round-off leaves of a pure Laplacian
+    // A pure Laplacian, up to round-off
     if (mag(sigma_) < constantTolerance * constantTolerance * scale) sigma_ = 0;
 }
 

@@ -44,7 +44,7 @@ void Foam::pieceCoupling::connect(rows& r, const label each,
                                   const bool constants) const
 {
     const label n = each * transform_.rowLength, all = each * keptOfAll();
-    r.here.resize(all + (constants ? transform_.nPlanes : 0));
+    r.local.resize(all + (constants ? transform_.nPlanes : 0));
     if (!apart()) return;
 
     DynamicList<label> rank, place, source;
@@ -71,20 +71,20 @@ void Foam::pieceCoupling::connect(rows& r, const label each,
         }
     }
     const planeTransform::rows dealt(transform_.dealtTo(Pstream::myProcNo()));
-    r.there.resize(n * dealt.n * nPieces() +
+    r.dealt.resize(n * dealt.n * nPieces() +
                    (constants && holdsFirst(dealt) ? transform_.nThird : 0));
     r.exchange.reset(new indexExchange(rank, place, source));
 }
 
 void Foam::pieceCoupling::solveHere()
 {
-    solveRow(values_.here.data(), 0, coefficients_.here.data(), 0,
-             told_.here.data(), 0);
+    solveRow(values_.local.data(), 0, coefficients_.local.data(), 0,
+             told_.local.data(), 0);
 }
 
 void Foam::pieceCoupling::solveConstantHere(const double scale)
 {
-    solveConstant(constants(), told_.here.data() + NTOLD * keptOfAll(), scale);
+    solveConstant(constants(), told_.local.data() + NTOLD * keptOfAll(), scale);
 }
 
 void Foam::pieceCoupling::solveApart(const bool newCoefficients,
@@ -92,27 +92,27 @@ void Foam::pieceCoupling::solveApart(const bool newCoefficients,
 {
     if (newCoefficients)
     {
-        coefficients_.exchange->forward(coefficients_.here.data(),
-                                        coefficients_.there.data());
+        coefficients_.exchange->forward(coefficients_.local.data(),
+                                        coefficients_.dealt.data());
     }
-    values_.exchange->forward(values_.here.data(), values_.there.data());
+    values_.exchange->forward(values_.local.data(), values_.dealt.data());
 
     const planeTransform::rows dealt(transform_.dealtTo(Pstream::myProcNo()));
     const label m = transform_.rowLength, each = m * dealt.n,
                 all = each * nPieces();
     for (label row = 0; row < dealt.n; ++row)
     {
-        solveRow(values_.there.data() + NVALUES * m * row, NVALUES * each,
-                 coefficients_.there.data() + NCOEFFICIENTS * m * row,
-                 NCOEFFICIENTS * each, told_.there.data() + NTOLD * m * row,
+        solveRow(values_.dealt.data() + NVALUES * m * row, NVALUES * each,
+                 coefficients_.dealt.data() + NCOEFFICIENTS * m * row,
+                 NCOEFFICIENTS * each, told_.dealt.data() + NTOLD * m * row,
                  NTOLD * each);
     }
     if (scale != 0 && holdsFirst(dealt))
     {
-        solveConstant(values_.there.data() + NVALUES * all,
-                      told_.there.data() + NTOLD * all, scale);
+        solveConstant(values_.dealt.data() + NVALUES * all,
+                      told_.dealt.data() + NTOLD * all, scale);
     }
-    told_.exchange->backward(told_.there.data(), told_.here.data());
+    told_.exchange->backward(told_.dealt.data(), told_.local.data());
 }
 
 // Elimination once more, of one unknown per piece; the last one of all is coupled to

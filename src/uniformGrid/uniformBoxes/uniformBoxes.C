@@ -56,7 +56,7 @@ int64_t sent(const labelVector& cells, const labelVector& blocks,
     return most;
 }
 
-//- The same with the direction that will be swept
+//- Values that the busiest rank sends, with the direction that will be swept
 int64_t sent(const labelVector& cells, const labelVector& blocks,
              const FixedList<bool, 3>& periodic)
 {

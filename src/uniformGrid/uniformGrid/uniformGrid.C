@@ -177,33 +177,13 @@ void Foam::uniformGrid::requirePeriodic(const dictionary& dict,
 void Foam::uniformGrid::toStaggered(const surfaceScalarField& phi,
                                     staggeredField& u) const
 {
-    const fvMesh& mesh = mesh_;
-
-    // Faces of walls, and places of other ranks' cells
+    // Faces of walls, and positions of other ranks' cells
     u.clear();
-
-    const auto set = [&](const label facei, const scalar flux)
-    {
-        const label celli = cellAbove(facei);
-        if (celli < 0) return;
-        const direction d = faceDirection(facei);
-        u[d][index_[celli]] = (lowerSide(facei) ? -flux : flux) / faceArea(d);
-    };
-    forAll(phi, facei)
-    {
-        set(facei, phi[facei]);
-    }
-    forAll(phi.boundaryField(), patchi)
-    {
-        const label start = mesh.boundaryMesh()[patchi].start();
-        forAll(phi.boundaryField()[patchi], i)
-        {
-            set(start + i, phi.boundaryField()[patchi][i]);
-        }
-    }
+    lowerFaces(phi, [&](const label celli, const direction d, const scalar x)
+               { u[d][index_[celli]] = x; });
 }
 
-void Foam::uniformGrid::toFlux(const staggeredField& u,
+void Foam::uniformGrid::toFlux(const staggeredView& u,
                                surfaceScalarField& flux) const
 {
     const fvMesh& mesh = mesh_;
@@ -213,7 +193,8 @@ void Foam::uniformGrid::toFlux(const staggeredField& u,
         const label celli = cellAbove(facei);
         if (celli < 0) return 0.0;
         const direction d = faceDirection(facei);
-        const scalar value = faceArea(d) * u[d][index_[celli]];
+        const label place = u.place(ijk(celli) - box_.lo);
+        const scalar value = faceArea(d) * (u.factor * u.first[d][place]);
         return lowerSide(facei) ? -value : value;
     };
     forAll(flux, facei)

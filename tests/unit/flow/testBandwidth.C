@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <vector>
 
-// Memory bandwidth of one core: a = b + s c over arrays whose total size is that of a dozen
-// fields of a flow of 64^3 and of 128^3 cells; 24 bytes per point are counted
-// (tests/bench/floor)
+// Bandwidth of one core: a = b + s c over arrays that together are as long as a dozen
+// fields of a flow of 64^3 and of 128^3 cells, counting 24 bytes
+// a point (see tests/bench/floor)
 TEST(Bandwidth, DISABLED_triad)
 {
     for (const int n : {64, 128})

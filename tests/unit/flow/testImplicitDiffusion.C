@@ -10,8 +10,8 @@
 using namespace Foam;
 using namespace test;
 
-// Solution for each component of a product of waves: ADI divides by the product of the
-// factors of the directions, FFT by 1 plus the sum of their parts
+// Each component of a product of waves: ADI divides by the product of the factors of
+// the directions, FFT by 1 plus the sum of their parts
 TEST(ImplicitDiffusion, dividesWaves)
 {
     const cellBox& box = grid().box();
@@ -25,7 +25,7 @@ TEST(ImplicitDiffusion, dividesWaves)
     }
     for (const bool byFFT : {false, true})
     {
-        // FFT allows one direction with walls, ADI needs rectangular blocks
+        // FFT needs two periodic directions, ADI blocks
         if (byFFT ? walled > 1 : !blocks()) continue;
         implicitDiffusion diffusion(grid(), byFFT);
         scalar worst = 0;
@@ -57,8 +57,8 @@ TEST(ImplicitDiffusion, dividesWaves)
     }
 }
 
-// With walls whose velocity changes, ADI on any blocks equals Thomas' algorithm along whole
-// lines in the order x, y, z
+// Walls that change their velocity, on any blocks as by Thomas along whole lines in the
+// order x, y, z
 TEST(ImplicitDiffusion, changingWallsInOrder)
 {
     if (!blocks()) return;

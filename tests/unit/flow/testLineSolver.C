@@ -8,7 +8,7 @@ using namespace test;
 
 TEST(LineSolver, solvesForWaves)
 {
-    if (!blocks()) return; // needs rectangular blocks
+    if (!blocks()) return; // rectangular blocks are required
     const cellBox& box = grid().box();
     scalar worst = 0;
     for (direction d = 0; d < 3; ++d)
@@ -25,12 +25,12 @@ TEST(LineSolver, solvesForWaves)
                           { exact[i] = w.at(c); });
                 x = (1 + beta * w.along[d].eigenvalue()) * exact;
                 solver.begin(x.data(), beta);
-                if (solver.waits()) solver.finish(x.data());
+                solver.finish(x.data());
                 worst = max(worst, gMax(mag(x - exact)));
             }
         }
     }
-    // Limit: round-off times 1 + 4 beta
+    // Round-off times 1 + 4 beta
     test::expectBelow("lines of a wave, error", worst, 1e-12);
 }
 
@@ -48,7 +48,7 @@ TEST(LineSolver, keepsLinearProfilesBetweenWalls)
                   { exact[i] = -1 + 3 * (c[d] + 0.5) / grid().n()[d]; });
         x = exact;
         solver.begin(x.data(), 10, -1, 2);
-        if (solver.waits()) solver.finish(x.data());
+        solver.finish(x.data());
         worst = max(worst, gMax(mag(x - exact)));
     }
     test::expectBelow("linear profile, change", worst, 1e-13);
