@@ -14,7 +14,7 @@ namespace
 //  AB2 may give back
 const Foam::scalar stableRK3 = 1.7, leastAB2 = 0.2, shareAB2 = 0.5;
 
-//- Measured cost of a step of RK3 over one of AB2 (doc/methods.md)
+//- Measured cost of a step of RK3 over one of AB2 (doc/numerics.md)
 const Foam::scalar costRatio = 2.3;
 
 Foam::word termsName(const bool withDiffusion)
