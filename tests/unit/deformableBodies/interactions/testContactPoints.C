@@ -16,10 +16,11 @@ const uniformGrid& grid()
 struct scene
 {
     const scalar h = cmptMax(grid().h()), radius = 0.2 * h;
-    const scalarField areas(scalarList({1, 2, 3, 4}));
-    const vectorField x(List<vector>({vector(0, 0, 0), vector(2.3 * h, 0, 0),
-                        vector(2.3 * h, 1.1 * h, 0)}));
-    const vectorField v(List<vector>({vector(1, 0, 0), vector(0, 1, 2), vector(3, 0, 0)}));
+    const scalarField areas{scalarList({1, 2, 3, 4})};
+    const vectorField x{List<vector>(
+        {vector(0, 0, 0), vector(2.3 * h, 0, 0), vector(2.3 * h, 1.1 * h, 0)})};
+    const vectorField v{
+        List<vector>({vector(1, 0, 0), vector(0, 1, 2), vector(3, 0, 0)})};
     contactPoints points;
 
     explicit scene(const bool folded)

@@ -13,7 +13,7 @@ TEST(FibreResistances, implicitLossOfRods)
     const scalar h = cmptMax(grid.h());
     contactPoints points(grid);
     points.clear(3);
-    const vectorField x(List<vector>({vector::zero, vector(3 * h, 0, 0)}));
+    const vectorField x{List<vector>({vector::zero, vector(3 * h, 0, 0)})};
     points.addLine(0, 0, x, x, 0.2 * h, false);
     points.addLine(2, 2, x, x, 0.4 * h, false);
     lineMotions motions(points.size());
@@ -24,7 +24,7 @@ TEST(FibreResistances, implicitLossOfRods)
     {
         k[i] = 1 + i % 3;
     }
-    const scalarField yield(scalarList({0.5, 7, 2}));
+    const scalarField yield{scalarList({0.5, 7, 2})};
     const scalarField loss(
         fibreResistances::implicit(points, motions.along, yield, k));
     scalar wrong = 0;

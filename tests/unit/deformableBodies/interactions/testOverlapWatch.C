@@ -44,7 +44,7 @@ TEST(OverlapWatch, fibres)
 {
     if (Pstream::parRun()) return;
     const scalar h = cmptMin(grid().h()), radius = 0.5 * h;
-    const row r(scalarField({0, 0.95 * h, 1.7 * h}), 1.2 * h);
+    const row r(scalarField(scalarList({0, 0.95 * h, 1.7 * h})), 1.2 * h);
     const List<interactingPoint> points(3, interactingPoint{sqr(h), radius});
     overlapWatch watch(test::mesh().time(), nameOf, true);
     watch.begin();
@@ -78,7 +78,7 @@ TEST(OverlapWatch, fibresThatNothingKeepsApart)
 {
     if (Pstream::parRun()) return;
     const scalar h = cmptMin(grid().h());
-    const row r(scalarField({0, 0.1 * h}), h);
+    const row r(scalarField(scalarList({0, 0.1 * h})), h);
     overlapWatch watch(test::mesh().time(), nameOf, false);
     watch.begin();
     watch.look(r.pairs,
@@ -94,7 +94,7 @@ TEST(OverlapWatch, surfaces)
 {
     if (Pstream::parRun()) return;
     const scalar h = cmptMin(grid().h()), depth = 0.2 * h;
-    const row r(scalarField({0, depth}), h);
+    const row r(scalarField(scalarList({0, depth})), h);
     const List<interactingPoint> points(2, interactingPoint{sqr(h), 0});
     const vector up(0, 0, sqr(h)); // area of a point
     for (const bool cross : {false, true})
