@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// Filaments and the fluid within a time step, and between runs
+// Filaments and the fluid within a time step
 
 #include "filamentGroup.H"
 #include "dictionaryChecks.H"
@@ -9,19 +9,6 @@
 Foam::label Foam::filamentGroup::nMarkers() const
 {
     return bodies_.size() * markersEach();
-}
-
-void Foam::filamentGroup::makePoints(const label n, const scalar inset)
-{
-    points_.setSize(n);
-    const scalar ds = properties_.ds();
-    forAll(points_, k)
-    {
-        const scalar s =
-            (inset + k * (properties_.length - 2 * inset) / (n - 1)) / ds;
-        points_[k].segment = min(label(s), properties_.segments - 1);
-        points_[k].at = s - points_[k].segment;
-    }
 }
 
 // Where the filament is expected at the end of the step: there the fluid is to
@@ -42,6 +29,15 @@ void Foam::filamentGroup::markers(vector* X, const scalar dt)
             couple_->markers(ahead, x.frames, &x.X[points_.size()]);
         }
         X = std::copy(x.X.begin(), x.X.end(), X);
+    }
+}
+
+void Foam::filamentGroup::lines(label* line) const
+{
+    for (const label number : mine())
+    {
+        line = std::fill_n(line, points_.size(), number);
+        line = std::fill_n(line, markersEach() - points_.size(), -1);
     }
 }
 
@@ -93,15 +89,6 @@ void Foam::filamentGroup::judgeSlip()
     }
 }
 
-void Foam::filamentGroup::lines(label* line) const
-{
-    for (const label number : mine())
-    {
-        line = std::fill_n(line, points_.size(), number);
-        line = std::fill_n(line, markersEach() - points_.size(), -1);
-    }
-}
-
 // A point moves the fluid of this cross-section over its length, per step with
 // what diffusion leaves of it
 Foam::scalar Foam::filamentGroup::forcingGain(const bodyStep& s) const
@@ -112,38 +99,6 @@ Foam::scalar Foam::filamentGroup::forcingGain(const bodyStep& s) const
     const scalar length =
         min(properties_.length / points_.size(), h_ / squares);
     return scene_.rho * length * sqr(h_ / squares) / (s.impulseFraction * s.dt);
-}
-
-Foam::bodyPoints Foam::filamentGroup::pointsOf(const label number,
-                                               const vectorField& X,
-                                               const vectorField& V) const
-{
-    bodyPoints p{name(),
-                 number,
-                 X,
-                 V,
-                 vectorField(),
-                 scalarField(X.size()),
-                 crossSection_,
-                 properties_.rigidity / pow3(properties_.ds())};
-    forAll(X, i)
-    {
-        p.lengths[i] = properties_.lengthOf(i);
-    }
-    p.densityRatio =
-        properties_.mass / (crossSection_ * scene_.rho) + (twoWay() ? 1 : 0);
-    return p;
-}
-
-Foam::bodyPoints Foam::filamentGroup::points(const label i) const
-{
-    if (i < 0)
-    {
-        const vectorField X(firstShape(0));
-        return pointsOf(-1, X - average(X), vectorField(X.size(), Zero));
-    }
-    const filament& x = bodies_[i].line;
-    return pointsOf(mine()[i], x.places(), x.velocities());
 }
 
 // Forces, drag and velocity of the fluid that a body feels during the step
@@ -332,64 +287,4 @@ Foam::string Foam::filamentGroup::move(const vector* U,
         }
     }
     return trouble;
-}
-
-Foam::bodyGroup::makeList Foam::filamentGroup::identify() const
-{
-    return {{"length", properties_.length},
-            {"segments", scalar(properties_.segments)}};
-}
-
-Foam::scalarList Foam::filamentGroup::state(const label i) const
-{
-    const body& x = bodies_[i];
-    DynamicList<scalar> s;
-    x.line.save(s);
-    s.append(x.slip);
-    s.append(x.dt);
-    filament::save(x.U, s);
-    filament::save(x.forces, s);
-    return scalarList(std::move(s));
-}
-
-Foam::point Foam::filamentGroup::centreOf(const scalarList& state,
-                                          const label number,
-                                          const dictionary& source) const
-{
-    const label N = properties_.segments;
-    const label all = filament::stateSize(N) + 2 +
-                      3 * (points_.size() + (twoWay() ? markersEach() : 0));
-    if (state.size() != all)
-    {
-        firstRankSpeaks();
-        FatalIOErrorInFunction(source)
-            << "the saved state of body " << number << " of group " << name()
-            << " has " << state.size() << " numbers where " << all
-            << " belong to its segments and coupling: was one of the entries "
-            << "segments, coupling, thicknessCouple, kernel or the size of the "
-            << "cells changed?" << exit(FatalIOError);
-    }
-    return average(filament::placesOf(state.cdata(), N));
-}
-
-void Foam::filamentGroup::setState(const label i, const scalarList& state,
-                                   const dictionary& source)
-{
-    centreOf(state, mine()[i], source);
-    body& x = bodies_[i];
-    x.line.restore(state.cdata());
-    if (properties_.scheme == filament::IMPLICIT && x.line.lengthError() > 1e-6)
-    {
-        firstRankSpeaks();
-        FatalIOErrorInFunction(source)
-            << "the saved state of body " << mine()[i]
-            << " has segments of another length: was the entry length changed?"
-            << exit(FatalIOError);
-    }
-    const scalar* at =
-        state.cdata() + filament::stateSize(properties_.segments);
-    x.slip = *at++;
-    x.dt = *at++;
-    at = filament::restore(at, x.U);
-    filament::restore(at, x.forces);
 }

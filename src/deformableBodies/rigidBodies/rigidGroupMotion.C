@@ -1,0 +1,169 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+// Rigid bodies and the fluid within a time step
+
+#include "rigidGroup.H"
+
+Foam::label Foam::rigidGroup::nMarkers() const
+{
+    return bodies_.size() * markers_.size();
+}
+
+// Light bodies: seen to diverge from nu dt/h^2 = 7 to 10 on
+Foam::scalar Foam::rigidGroup::maxDeltaT() const
+{
+    return densityRatio_ < 1 ? 5 * sqr(h_) * scene_.rho / scene_.mu : GREAT;
+}
+
+void Foam::rigidGroup::markers(vector* X, const scalar dt)
+{
+    for (body& x : bodies_)
+    {
+        x.X = x.centre + dt * x.velocity;
+        if (isSphere())
+        {
+            x.X += markers_;
+        }
+        else
+        {
+            x.X += (rotationBy(dt * x.angularVelocity) * x.turn).R() & markers_;
+        }
+        X = std::copy(x.X.begin(), x.X.end(), X);
+    }
+}
+
+void Foam::rigidGroup::lines(label* line) const
+{
+    for (const label number : mine())
+    {
+        line = std::fill_n(line, markers_.size(), number);
+    }
+}
+
+Foam::vectorField Foam::rigidGroup::surfaceVelocity(const label i,
+                                                    const vector* U) const
+{
+    const body& x = bodies_[i];
+    const label n = markers_.size();
+    vectorField v(UList<vector>(const_cast<vector*>(U), n));
+    if (nearField_)
+    {
+        const auto timing(scene_.effects.time("nearField"));
+        vectorField own(n);
+        nearField_->velocity(x.X.cdata(), x.forces.cdata(), n, own.data());
+        v += own;
+        Foam::add(corrections_, i, x.X.cdata(), n, v.data());
+    }
+    return v;
+}
+
+const Foam::nearSurface::sources&
+Foam::rigidGroup::nearSources(const label i) const
+{
+    const body& x = bodies_[i];
+    const tensor R(isSphere() ? tensor::I : x.turn.R());
+    nearSources_.X.clear();
+    for (const vector& r : markers_)
+    {
+        nearSources_.X.push_back(x.centre + (R & r));
+    }
+    nearSources_.F.assign(x.forces.begin(), x.forces.end());
+    return nearSources_;
+}
+
+Foam::scalar Foam::rigidGroup::slipOf(const body& x, const vectorField& u)
+{
+    return max(mag(x.velocity + (x.angularVelocity ^ (x.X - x.centre)) - u));
+}
+
+void Foam::rigidGroup::recordSlip(const vector* U)
+{
+    forAll(mine(), i)
+    {
+        body& x = bodies_[i];
+        x.slip = slipOf(x, surfaceVelocity(i, U));
+        U += markers_.size();
+    }
+}
+
+Foam::scalarField Foam::rigidGroup::gains(const scalar* density,
+                                          const bodyStep& s) const
+{
+    scalarField c(overlap_.size());
+    forAll(c, k)
+    {
+        c[k] = 1 / (overlap_[k] * density[k] * s.impulseFraction * s.dt /
+                        (scene_.rho * pow3(h_)) +
+                    nearMobility_);
+    }
+    return c;
+}
+
+Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
+                                    const bodyStep& s)
+{
+    const auto timing(scene_.effects.time("rigid"));
+    string trouble;
+    forAll(mine(), i)
+    {
+        body& x = bodies_[i];
+        const label n = markers_.size(), number = mine()[i];
+        vector force(Zero), torque(Zero);
+        if (scene_.forces.actOn(name(), number))
+        {
+            vectorField F(n, Zero);
+            scene_.forces.add(
+                name(), number, [&]() { return points(i); }, s.time,
+                scene_.effects, F);
+            force = sum(F);
+            torque = sum((x.turn.R() & surface_) ^ F);
+        }
+        vectorField u(surfaceVelocity(i, U));
+
+        // The change is that of the mesh's velocity only: the near field is that of
+        // forces, and its change would be answered twice
+        const vectorField change(x.change(U, x.dt == 0));
+        if (!s.predicted) u += 0.5 * change;
+        advance(x, u, gains(density, s), force, torque, s);
+
+        // Implicit solvers of the fluid bear no such force for long
+        const scalar cells = s.dt * slipOf(x, u) / h_;
+        if (!(cells < 20))
+        {
+            OStringStream os;
+            os << nameOfBody(mine()[i]).c_str() << " at " << x.centre
+               << ": the fluid passes its surface by " << Foam::name(cells)
+               << " cells in a step, limit 20; its velocity is " << x.velocity
+               << ", the force on the fluid " << sum(x.forces);
+            trouble = os.str();
+        }
+        U += n;
+        density += n;
+    }
+    return trouble;
+}
+
+void Foam::rigidGroup::advance(body& x, const vectorField& U,
+                               const scalarField& gain, const vector& force,
+                               const vector& torque, const bodyStep& s) const
+{
+    const scalar fluidMass = scene_.rho * shape_.volume();
+    const rigidStep::properties properties{
+        densityRatio_, fluidMass, fluidMass * shape_.inertia(),
+        sqr(shape_.radius()) * scene_.rho / (20.2 * scene_.mu),
+        meanNearMobility_};
+    const vectorField r(x.X - (x.centre + s.dt * x.velocity));
+    const rigidStep step(properties, s.dt, r, U, gain);
+
+    vector V, W;
+    const auto load = [&](const scalar time)
+    {
+        if (velocity_.valid()) V = velocity_->value(time);
+        if (angularVelocity_.valid()) W = angularVelocity_->value(time);
+        return rigidStep::load{force, torque, velocity_.valid() ? &V : nullptr,
+                               angularVelocity_.valid() ? &W : nullptr};
+    };
+    if (x.dt == 0) step.start(x, load(s.time - s.dt));
+    step.advance(x, x.forces, load(s.time));
+    x.dt = s.dt;
+}

@@ -1,0 +1,138 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "rigidStep.H"
+#include <Eigen/LU>
+
+namespace
+{
+using namespace Foam;
+using matrix = Eigen::Matrix<scalar, 6, 6>;
+using column = Eigen::Matrix<scalar, 6, 1>;
+
+//- Inertia tensor in the axes of the box
+tensor turned(const vector& I, const quaternion& turn)
+{
+    const tensor R(turn.R());
+    return R & tensor(I.x(), 0, 0, 0, I.y(), 0, 0, 0, I.z()) & R.T();
+}
+
+//- Replace three equations by a prescribed velocity
+void prescribe(matrix& A, column& b, const direction first, const vector* v)
+{
+    if (!v) return;
+    for (direction i = 0; i < 3; ++i)
+    {
+        A.row(first + i).setZero();
+        A(first + i, first + i) = 1;
+        b[first + i] = (*v)[i];
+    }
+}
+} // namespace
+
+Foam::quaternion Foam::rotationBy(const vector& angle)
+{
+    return mag(angle) > 0 ? quaternion(angle / mag(angle), mag(angle))
+                          : quaternion::I;
+}
+
+Foam::rigidStep::rigidStep(const properties& body, const scalar dt,
+                           const vectorField& r, const vectorField& U,
+                           const scalarField& gain)
+    : body_(body),
+      dt_(dt),
+      r_(r),
+      U_(U),
+      gain_(gain),
+      sumGain_(sum(gain))
+{
+    forAll(r, k)
+    {
+        const tensor cross(0, r[k].z(), -r[k].y(), -r[k].z(), 0, r[k].x(),
+                           r[k].y(), -r[k].x(), 0); // cross & W = W x r
+        forceOfSpin_ += gain[k] * cross;
+        torqueOfSpin_ += gain[k] * (cross.T() & cross);
+        lever_ += gain[k] * r[k];
+        sumU_ += gain[k] * U[k];
+    }
+}
+
+void Foam::rigidStep::start(motion& m, const load& given) const
+{
+    m.velocity = sumU_ / sumGain_;
+    vector swirl(Zero);
+    forAll(r_, k)
+    {
+        swirl += gain_[k] * (r_[k] ^ (U_[k] - m.velocity));
+    }
+    m.angularVelocity = inv(torqueOfSpin_) & swirl;
+    if (given.velocity) m.velocity = *given.velocity;
+    if (given.angularVelocity) m.angularVelocity = *given.angularVelocity;
+    m.spin = turned(body_.inertia, m.turn) & m.angularVelocity;
+}
+
+void Foam::rigidStep::advance(motion& m, vectorField& forces,
+                              const load& given) const
+{
+    const tensor inertia(turned(body_.inertia, m.turn));
+    const scalar ratio = body_.densityRatio;
+    const scalar follows = dt_ / (body_.relaxation + dt_);
+
+    // Answer of the markers at rest
+    vector force(Zero), torque(Zero);
+    forAll(r_, k)
+    {
+        const vector f(forces[k] - gain_[k] * U_[k]);
+        force += f;
+        torque += r_[k] ^ f;
+    }
+
+    // The fluid inside moves with the mesh's part of V: less what the near field adds,
+    // which changes with F. Light bodies: the mean slip has a larger gain
+    const scalar mass = (ratio - 1) * body_.fluidMass / dt_;
+    const scalar innerMass =
+        body_.fluidMass / dt_ * body_.nearMobility / r_.size();
+    const scalar raised =
+        max(scalar(0), -5 * mass / (1 + innerMass) - sumGain_) / sumGain_;
+
+    const tensor J((ratio - follows) / dt_ * inertia + torqueOfSpin_);
+    const tensor cross(0, -lever_.z(), lever_.y(), lever_.z(), 0, -lever_.x(),
+                       -lever_.y(), lever_.x(), 0); // cross & V = lever x V
+    const vector push(given.force + mass * m.velocity +
+                      innerMass * sum(forces) +
+                      (1 + innerMass) * (raised * sumU_ - force));
+    const vector twist(
+        given.torque + ratio / dt_ * (inertia & m.angularVelocity) -
+        ratio * (m.angularVelocity ^ (inertia & m.angularVelocity)) -
+        follows / dt_ * m.spin - torque + raised / sumGain_ * (lever_ ^ sumU_));
+    matrix A(matrix::Zero());
+    column b;
+    for (direction i = 0; i < 3; ++i)
+    {
+        for (direction j = 0; j < 3; ++j)
+        {
+            A(i, j) =
+                i == j ? mass + (1 + innerMass) * (1 + raised) * sumGain_ : 0;
+            A(i, 3 + j) = (1 + innerMass) * forceOfSpin_(i, j);
+            A(3 + i, j) = (1 + raised) * cross(i, j);
+            A(3 + i, 3 + j) = J(i, j);
+        }
+        b[i] = push[i];
+        b[3 + i] = twist[i];
+    }
+    prescribe(A, b, 0, given.velocity);
+    prescribe(A, b, 3, given.angularVelocity);
+    const column y(A.partialPivLu().solve(b));
+    const vector V(y[0], y[1], y[2]), W(y[3], y[4], y[5]);
+
+    const vector ofMean(raised * (V - sumU_ / sumGain_));
+    forAll(r_, k)
+    {
+        forces[k] += gain_[k] * (V + (W ^ r_[k]) - U_[k] + ofMean);
+    }
+    m.spin += follows * ((inertia & W) - m.spin);
+    m.turn = rotationBy(0.5 * dt_ * (m.angularVelocity + W)) * m.turn;
+    m.turn /= mag(m.turn);
+    m.centre += 0.5 * dt_ * (m.velocity + V);
+    m.velocity = V;
+    m.angularVelocity = W;
+}
