@@ -24,7 +24,7 @@ struct row
     labelList body;
     closePairs pairs;
 
-    row(const scalarField& heights, const scalar range)
+    row(const scalarList& heights, const scalar range)
         : X(heights.size()),
           body(identity(heights.size())),
           pairs(grid(), range)
@@ -105,8 +105,9 @@ TEST(OverlapWatch, surfaces)
         EXPECT_TRUE(watch.surfacesTouch());
         EXPECT_EQ(sum(watch.touching(r.pairs, 2)), 2);
 
-        watch.lookBehind(r.pairs, cross ? vectorField({-up, up})
-                                        : vectorField({up, -up}));
+        vectorField areas(2, up);
+        areas[cross ? 0 : 1] *= -1;
+        watch.lookBehind(r.pairs, areas);
         watch.end();
         EXPECT_EQ(watch.nOverlaps(), cross ? 1 : 0);
         EXPECT_NEAR(watch.deepest(), cross ? depth : 0, 1e-12 * h);
