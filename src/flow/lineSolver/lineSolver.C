@@ -153,7 +153,19 @@ void Foam::lineSolver::finish(double* x)
     const label nLines = before_.size();
     exchange_->finishForward(ends_.data(), allEnds_.data());
     beyond(allEnds_.data(), nLines, nLines, before_.data(), after_.data());
-    parts(x,
-          [&](double* y, const label m, const label stride, const label line)
-          { correct(y, m, stride, line); });
+    if (dir_)
+    {
+        parts(x,
+              [&](double* y, const label m, const label stride, const label line)
+              { correct(y, m, stride, line); });
+        return;
+    }
+
+    // Lines along memory need not be turned: only points near their ends change
+    const label ny = box_.size.y();
+    for (label line = 0; line < nLines; ++line)
+    {
+        correct(x + (line % ny) * box_.stride(1) + line / ny * box_.stride(2), 1,
+                1, line);
+    }
 }

@@ -169,8 +169,8 @@ void Foam::boxMatrix::readSides(const lduMatrix::solver& s)
             if (!e.any()) continue;
 
             const bool fixed = e.mean() > 1;
-            (side ? sides_[d].upperDirichlet : sides_[d].lowerDirichlet) =
-                fixed;
+            sideConditions& c = sides_[d];
+            (side ? c.upperDirichlet : c.lowerDirichlet) = fixed;
             const scalar expected = fixed ? 2 : 0;
             if (mag(e.low - expected) > constantTolerance ||
                 mag(e.high - expected) > constantTolerance)
