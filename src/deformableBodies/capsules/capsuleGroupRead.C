@@ -89,8 +89,9 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     motion_ =
         capsuleMotion::New(dict,
                            {*shell_, harmonics(), radius_,
-                            0.5 * (1 + viscosityRatio_) * scene_.mu, scene_},
-                           nearField_.get());
+                            0.5 * (1 + viscosityRatio_) * scene_.mu,
+                                  scene_.effects},
+                                 scene_, nearField_.get());
     setFilter(dict);
     warnOfHarmonics(dict, degree, moved);
     readStart(dict);

@@ -27,17 +27,17 @@ const Enum<motionType> words({{AUTO, "auto"},
 const scalar maxInertia = 30;
 
 //- Motion by steps and inertia, and why
-motionType automatic(const capsuleMotion::setting& s,
+motionType automatic(const capsuleMotion::setting& s, const bodyScene& scene,
                      const scalar explicitLimit, string& note)
 {
-    if (s.scene.deltaT <= explicitLimit)
+    if (scene.deltaT <= explicitLimit)
     {
         note = "not needed up to deltaT = " + Foam::name(explicitLimit) +
-               (s.scene.deltaT > 0 ? "" : ", which adjustTimeStep keeps to");
+               (scene.deltaT > 0 ? "" : ", which adjustTimeStep keeps to");
         return EXPLICIT;
     }
     const scalar inertia =
-        s.scene.rho * s.radius * s.shell.stiffness() / sqr(s.scene.mu);
+        scene.rho * s.radius * s.shell.stiffness() / sqr(scene.mu);
     if (inertia < maxInertia) return STABILISED;
     note = "too much inertia: Re/Ca = " + Foam::name(inertia) + ", limit " +
            Foam::name(maxInertia);
@@ -60,7 +60,7 @@ scalar reduceNearField(capsuleNearField& nearField, const scalar limit,
 
 std::unique_ptr<Foam::capsuleMotion>
 Foam::capsuleMotion::New(const dictionary& dict, const setting& s,
-                         capsuleNearField* nearField)
+                         const bodyScene& scene, capsuleNearField* nearField)
 {
     // Of Adams-Bashforth 2 and the fastest harmonic; as the mesh smooths it, at
     // least four times that is stable (tests/bench/stability), unless the near field
@@ -71,7 +71,7 @@ Foam::capsuleMotion::New(const dictionary& dict, const setting& s,
 
     motionType motion = readEnum(words, dict, "motion", AUTO);
     string note("motion " + words[motion]);
-    if (motion == AUTO) motion = automatic(s, limit, note);
+    if (motion == AUTO) motion = automatic(s, scene, limit, note);
     const word name(words[motion]);
 
     const scalar thickness = dict.found("thickness")
@@ -82,7 +82,6 @@ Foam::capsuleMotion::New(const dictionary& dict, const setting& s,
         refuse(dict, "thickness", Foam::name(thickness),
                "motion penalty; with it, the others have none");
     }
-    const bodyScene& scene = s.scene;
     std::unique_ptr<capsuleMotion> selected;
     if (motion == STABILISED)
     {

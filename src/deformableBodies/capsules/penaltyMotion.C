@@ -20,7 +20,7 @@ Foam::penaltyMotion::penaltyMotion(const setting& s,
                                    const scalar surfaceDensity)
     : capsuleMotion(s.shell,
                     limit(surfaceDensity * sqr(s.radius), stiffnessOf(s))),
-      effects_(s.scene.effects),
+      effects_(s.effects),
       mass_(surfaceDensity * sqr(s.radius))
 {
 }

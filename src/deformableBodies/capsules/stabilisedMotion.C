@@ -63,7 +63,7 @@ Foam::stabilisedMotion::waves::waves(const setting& s)
 
 Foam::stabilisedMotion::stabilisedMotion(const setting& s, const waves& rates)
     : capsuleMotion(s.shell, GREAT),
-      effects_(s.scene.effects),
+      effects_(s.effects),
       harmonics_(s.harmonics),
       rate_(rates),
       degree_(s.harmonics.nCoeffs())

@@ -26,19 +26,18 @@ TEST(CaseFiles, bracketsMatch)
 {
     EXPECT_EQ(wrongBrackets("a { b (1 2); c { } }"), "");
     EXPECT_EQ(wrongBrackets("a { b (1 2; }"),
-              "line 1 closes with } what is not open");
+              "line 1 has } without an opening bracket");
     EXPECT_EQ(wrongBrackets("a\n{\n}\n}"),
-              "line 4 closes with } what is not open");
-    EXPECT_EQ(wrongBrackets("a { b (1 2);"),
-              "it ends where } is still to come");
+              "line 4 has } without an opening bracket");
+    EXPECT_EQ(wrongBrackets("a { b (1 2);"), "} is missing at its end");
 }
 
 TEST(CaseFiles, bracketsOfCommentsStringsAndCodeDoNotCount)
 {
     EXPECT_EQ(wrongBrackets("a { // }\n} /* ( */ b \"{\\\"(\"; c #{ ( #};"),
               "");
-    EXPECT_EQ(wrongBrackets("/*\n\n*/\n\"\n\"\n)"),
-              "line 6 closes with ) what is not open");
+    EXPECT_EQ(wrongBrackets("/*\n\n*/\n\")\"\n)"),
+              "line 5 has ) without an opening bracket");
 }
 
 TEST(CaseFiles, whatCannotBeReadIsSaid)
@@ -62,14 +61,13 @@ TEST(CaseFiles, nothingIsNoError)
               "");
 }
 
-TEST(CaseFiles, misspeltNamesAreFound)
+TEST(CaseFiles, namesInOtherLetterCaseAreFound)
 {
     const Time& time = test::mesh().time();
     const IOobject io("deformableBodies", time.constant(), test::mesh());
     EXPECT_EQ(misplacedFile(io), "");
     for (const fileName name :
-         {"constant/deformabelBodies", "system/deformableBodies",
-          "constant/DeformableBodies.txt"})
+         {"constant/DeformableBodies", "system/deformableBodies"})
     {
         const fileName file(time.globalPath() / name);
         test::writeText(file, "a 1;");

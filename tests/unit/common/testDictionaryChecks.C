@@ -19,7 +19,7 @@ TEST(DictionaryChecks, unknownEntriesAreNamedWithThoseAllowed)
         [&] {
             checkEntries(dict, {"type", "radius"});
         },
-        "allowed: 2(type radius)"));
+        "allowed: (type radius)"));
     EXPECT_EQ(test::refusal(
                   [&] {
                       checkEntries(dict, {"raduis", "radius"});

@@ -100,7 +100,7 @@ TEST(ExpectedErrors, sumsAboveWhatIsWantedAreRefusedWithRemedies)
         EXPECT_NE(message.find(part), std::string::npos) << message;
     }
     EXPECT_NE(
-        judged(group(0.06), 0.03).find("to change one of them is not enough"),
+        judged(group(0.06), 0.03).find("no single change is sufficient"),
         std::string::npos);
 }
 

@@ -74,6 +74,7 @@ string whatIsWrong(const fileName& file, const word& className)
 string wrongBrackets(ISstream& is)
 {
     std::string open; // closing brackets that are still to come
+    if (is.lineNumber() < 1) is.lineNumber(1);
     for (token t(is); t.good(); is >> t)
     {
         if (!t.isPunctuation()) continue;
