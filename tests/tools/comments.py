@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
 """Comments of C++ files that do not name their subject.
 
-    comments.py <folder or file>... [--except <folder>...]
+    comments.py <folder or file>...
 
-Prints each comment that begins with one of the refused words (file:line: comment),
-then a line "<number> comments, <words> words each, <share> % begin with a pronoun" for
-the // comments of all files, the excepted folders included. Exit status: 1 if a comment
-outside the excepted folders is refused, 0 otherwise.
+Prints each comment that begins with one of the refused words or asks a question
+(file:line: comment), then a line "<number> comments, <words> words each, <share> % begin with a pronoun" for
+the // comments of all files. Exit status: 1 if a comment is refused, 0 otherwise.
 """
 import argparse
 import pathlib
@@ -58,7 +57,6 @@ def first_word(comment):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("paths", nargs="+")
-    parser.add_argument("--except", dest="excepted", nargs="*", default=[])
     options = parser.parse_args()
 
     number = words = pronouns = refused = 0
@@ -68,7 +66,6 @@ def main():
         for file in files:
             if "lnInclude" in file.parts:
                 continue
-            clean = not any(str(file).startswith(e) for e in options.excepted)
             for line, comment in comments(file.read_text()):
                 if comment.startswith("This file is part of"):
                     continue
@@ -76,7 +73,7 @@ def main():
                     number += 1
                     words += len(comment.split())
                     pronouns += first_word(comment) in PRONOUNS
-                if clean and first_word(comment) in REFUSED:
+                if first_word(comment) in REFUSED or "?" in comment:
                     refused += 1
                     print(f"{file}:{line}: {comment[:70]}")
     if number == 0:

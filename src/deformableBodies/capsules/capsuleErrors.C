@@ -1,31 +1,33 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// The error of D that is to be expected of a capsule, measured in shear with
-// neo-Hookean and Skalak's law at Ca_G 0.0375 to 2 (doc/choosing.md)
+// Expected error of the deformation D of a capsule, measured in shear with neo-Hookean
+// and Skalak's law at Ca_G 0.0375 to 2 (doc/choosing.md)
 
 #include "capsuleReport.H"
 #include <cmath>
 
 namespace
 {
+// Error of a series up to a degree
 Foam::scalar ofHarmonics(const Foam::label degree)
 {
     return degree < 5 ? 0.015 : 0.003 * Foam::sqr(6.0 / degree);
 }
 
-// Of Adams-Bashforth 2; rate times step
+// Error of Adams-Bashforth 2. step: time step times the rate of the flow
 Foam::scalar ofStep(const Foam::scalar step)
 {
     return 6 * Foam::sqr(step);
 }
 
-// Of a near field of fewer degrees than 8, with bending at Re 10
+// Error of a near field of fewer degrees than 8, with bending at Re 10
 const Foam::scalar ofFewerDegrees = 0.015;
 
-// From here on the laws hold
+// Least radius in cells for which these laws hold
 const Foam::scalar leastRadius = 3;
 
-// Of a sphere, by the smoothing of the kernel; the largest, of stiff capsules
+// Error of a sphere due to the smoothing of the kernel: the largest, found for stiff
+// capsules
 Foam::scalar ofCells(const Foam::scalar radius)
 {
     return 0.115 * std::pow(4 / radius, 1.3);
@@ -38,15 +40,15 @@ Foam::scalar ofStress(const Foam::scalar radius)
     return Foam::pow3(1 + 0.53 / radius) - 1;
 }
 
-// With near field: what the kernel smooths of a flow with inertia, of first order in
-// h; Re = rho rate a^2/mu from 3 to 30
+// Error with a near field in a flow with inertia, due to the smoothing of the kernel:
+// first order in h. Measured for Re = rho rate a^2/mu from 3 to 30
 Foam::scalar ofInertia(const Foam::scalar Re, const Foam::scalar radius)
 {
     return 0.005 * Re * 4 / radius;
 }
 
-// Of markers that are so many cells apart where the shape is stretched by a quarter;
-// measured from 0.9 to 1.6
+// Error of the distance between markers, in cells, where the shape is stretched by a
+// quarter. Measured from 0.9 to 1.6
 Foam::scalar ofMarkers(const Foam::scalar spacing)
 {
     return 3e-4 * std::pow(Foam::max(spacing, Foam::scalar(0.9)), 6);
@@ -200,7 +202,7 @@ Foam::expectedErrors Foam::capsuleReport::errors(const flowScales& flow) const
     return e;
 }
 
-// Of the amplitude of all degrees, that of the two highest
+// Amplitude of the two highest degrees over that of all degrees; change of volume
 std::vector<Foam::errorIndicator> Foam::capsuleReport::indicators() const
 {
     const sphericalHarmonics& grid = group_.harmonics();

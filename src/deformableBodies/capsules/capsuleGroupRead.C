@@ -17,7 +17,7 @@ addToRunTimeSelectionTable(bodyGroup, capsuleGroup, dictionary);
 
 namespace
 {
-// Up to where the near field was measured to be better than none
+// Limits up to which the near field was measured to be better than none
 // (tests/validation/nearField)
 const Foam::scalar maxInertia = 20, maxViscosityRatio = 2;
 
@@ -223,7 +223,7 @@ void Foam::capsuleGroup::warnOfHarmonics(const dictionary& dict,
         << moved << ", or use cells below " << 2.4 * radius_ / degree << endl;
 }
 
-// What is known of its limits: doc/choosing.md
+// Limits of the near field: doc/choosing.md
 void Foam::capsuleGroup::setNearField(const dictionary& dict,
                                       const scalar extent)
 {
@@ -236,7 +236,7 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
         groupEntries(name(), dict, scene_)
             .readNearField(never, report_->errorOfCells(false)));
 
-    // Where it is not known to be better
+    // Reason why the near field is not known to be better than none, or empty
     const scalar h = scene_.grid.h().x();
     const scalar inertia =
         scene_.rho * shell_->stiffness() * sqr(h / scene_.mu) / radius_;

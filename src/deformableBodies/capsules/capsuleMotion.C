@@ -62,9 +62,9 @@ std::unique_ptr<Foam::capsuleMotion>
 Foam::capsuleMotion::New(const dictionary& dict, const setting& s,
                          const bodyScene& scene, capsuleNearField* nearField)
 {
-    // Of Adams-Bashforth 2 and the fastest harmonic; as the mesh smooths it, at
-    // least four times that is stable (tests/bench/stability), unless the near field
-    // gives it back
+    // Limit of Adams-Bashforth 2 for the fastest harmonic. The mesh smooths that
+    // harmonic, which makes at least four times the limit stable
+    // (tests/bench/stability); half of it where the near field undoes the smoothing
     const stabilisedMotion::waves waves(s);
     const scalar smoothed = 4 / waves.fastest();
     scalar limit = nearField ? 0.5 * smoothed : smoothed;

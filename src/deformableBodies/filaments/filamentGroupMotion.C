@@ -201,8 +201,8 @@ Foam::scalar Foam::filamentGroup::freeVelocities(const label i, const vector* U,
                                                  const bodyStep& s,
                                                  vectorField& V) const
 {
-    // The fluid's, where a marker feels it (see surround()), on straight lines
-    // between markers and beyond the last
+    // Velocity of the fluid at the markers (see surround()), linear between markers and
+    // beyond the last
     const body& x = bodies_[i];
     const label n = points_.size(), N = properties_.segments;
     const scalar ds = properties_.ds();
@@ -224,8 +224,8 @@ Foam::scalar Foam::filamentGroup::freeVelocities(const label i, const vector* U,
         V[node] = (1 - t) * velocity(k) + t * velocity(k + 1);
     }
 
-    // As a rigid rod, or where an implicit step bends less of it the part that the
-    // push moves: a beam on its drag, over the fourth root of their ratio
+    // Mobility of a push in the middle: of the whole rod, or of the length that an
+    // implicit step bends, 2.8 (B dt L/drag)^(1/4), if that is shorter
     scalar drag = 0;
     for (label m = 0; m < n; ++m)
     {

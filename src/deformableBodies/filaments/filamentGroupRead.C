@@ -200,7 +200,7 @@ void Foam::filamentGroup::readCoupling(const dictionary& dict)
     properties_.dragRatio = 1;
     if (alone()) return;
 
-    // Of cells that are not cubes the diameter depends on the direction
+    // In cells that are not cubes the effective diameter depends on the direction
     const scalar stretch = cmptMax(scene_.grid.h()) / cmptMin(scene_.grid.h());
     if (twoWay() && stretch > 1.25 * (1 + 1e-6))
     {

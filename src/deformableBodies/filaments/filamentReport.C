@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// What is reported and drawn of filaments
+// Numbers, errors, columns and pictures of filaments
 
 #include "filamentReport.H"
 #include "mathematicalConstants.H"
@@ -71,7 +71,7 @@ std::vector<Foam::errorIndicator> Foam::filamentReport::indicators() const
         }
         length = max(length, x.line.lengthError());
         if (!group_.twoWay()) continue;
-        // Of those that are held or lie still: the speed that the force stands for
+        // Filaments that are held or lie still: the speed that their force would cause
         const scalar speed = max(mag(x.line.velocities()));
         const scalar ofForce = mag(sum(x.forces)) / (10 * group_.scene_.mu *
                                                      group_.properties_.length);

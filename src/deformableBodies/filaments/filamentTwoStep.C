@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// The schemes that are kept for comparison: tension first, then places
+// The schemes that are kept for comparison: tension first, then positions
 
 #include "bandedMatrix.H"
 #include "filament.H"
@@ -66,7 +66,7 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
     if (!tension.factor()[0]) return false;
     tension.solve(T);
 
-    // Places: tension and bending at n+1, or on the mean of n+1 and n-1
+    // Positions: tension and bending at n+1, or on the mean of n+1 and n-1
     const scalar part = centred ? 0.5 : 1;
     bandedMatrix<2> A;
     A.clear(N + 1);
@@ -94,7 +94,7 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
         [&](const scalar w, const label k, const label* at,
             const scalar* factor)
         {
-            // What a clamp adds to the difference of places
+            // Difference of positions due to a clamp: that of nodes at the origin
             const vector given(bend(vectorField(N + 1, Zero), k));
             for (int a = 0; a < 3; ++a)
             {

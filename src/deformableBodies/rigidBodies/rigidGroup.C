@@ -14,7 +14,7 @@ const Foam::bodyReport& Foam::rigidGroup::report() const
     return *report_;
 }
 
-// Of the shape's own axes
+// Rotation at the start from the axes of the shape to those of the box
 Foam::quaternion Foam::rigidGroup::turnOf(const label number) const
 {
     return quaternion(turnTo(

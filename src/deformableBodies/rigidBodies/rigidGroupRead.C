@@ -142,7 +142,7 @@ void Foam::rigidGroup::setNearField(const dictionary& dict,
            : entry.whyNot);
 }
 
-// As many as make the spacing, and what they are to the kernel and to each other
+// Markers at the wanted spacing; overlap of their kernels; their near-field mobility
 void Foam::rigidGroup::makeMarkers(const scalar spacing)
 {
     const scalar inset =

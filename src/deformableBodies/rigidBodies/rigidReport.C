@@ -54,7 +54,7 @@ std::vector<Foam::errorIndicator> Foam::rigidReport::indicators() const
     scalar slip = 0;
     for (const auto& x : group_.bodies_)
     {
-        // Of those that are held or lie still: the speed that the force stands for
+        // Bodies that are held or lie still: the speed that their force would cause
         const scalar a = group_.shape_.radius();
         const scalar speed = mag(x.velocity) + mag(x.angularVelocity) * a;
         const scalar ofForce =

@@ -226,7 +226,7 @@ void Foam::boxMatrix::readDiagonal(const lduMatrix::solver& s)
 
     if (e.high - e.low > tolerance)
     {
-        // All equal but one?
+        // One entry may differ from all others: that of a reference cell
         const scalar withoutLow = (e.sum - e.low) / (e.count - 1);
         const scalar withoutHigh = (e.sum - e.high) / (e.count - 1);
         const bool low = mag(withoutLow - e.high) < tolerance;

@@ -104,7 +104,7 @@ TEST(FlowSolutions, layersOfTwoViscosities)
         {
             (*b.nu)[i] = b.mesh().C()[i].y() < 0.5 ? 1 : ratio;
         }
-        const scalar shear = 2 * ratio / (1 + ratio); // of the lower layer
+        const scalar shear = 2 * ratio / (1 + ratio); // in the lower layer
         const auto exact = [&](const vector& x)
         {
             return vector(x.y() < 0.5 ? shear * x.y()
