@@ -4,8 +4,9 @@
     comments.py <folder or file>...
 
 Prints each comment that begins with one of the refused words or asks a question
-(file:line: comment), then a line "<number> comments, <words> words each, <share> % begin with a pronoun" for
-the // comments of all files. Exit status: 1 if a comment is refused, 0 otherwise.
+(file:line: comment), then a line "<number> comments, <words> words each, <share> % begin
+with a pronoun" for the // comments of all files. Exit status: 1 if a comment is refused,
+0 otherwise.
 """
 import argparse
 import pathlib

@@ -71,7 +71,7 @@ Foam::scalarList Foam::capsuleReport::sample(const label i) const
     { return std::sqrt(std::max(squares[k], 0.0)); };
     const scalar breadth = axis(0), width = axis(1), length = axis(2);
 
-    // Its direction in the shear plane; a circle has none
+    // Direction of the longest axis in the shear plane; a circle has none
     const direction f = group_.shearPlane_[0], g = group_.shearPlane_[1];
     const scalar across = 0.5 * (full(f, f) - full(g, g)), fg = full(f, g);
     const bool round =
