@@ -14,19 +14,16 @@ const Foam::filament::surroundings& deref(const Foam::filament::surroundings& s)
 }
 } // namespace
 
+#include "filamentNewtonEquations.H"
+
 template<int Lanes>
-void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
-                                       const filament::surroundings* around,
-                                       const int n)
+void Foam::filamentNewton<Lanes>::resize(const filament::surroundings& around)
 {
-    first_ = lines[0];
-    N_ = first_->all_->segments;
-    points_ = around[0].points;
     for (auto* field : {&pastV_, &pastA_, &V_})
     {
         field->resize(N_ + 1);
     }
-    force_.resize(around[0].force.size());
+    force_.resize(around.force.size());
     for (auto* field : {&x_, &change_, &right_, &next_})
     {
         field->assign(4 * (N_ + 1), lanes::Zero());
@@ -34,12 +31,22 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
     drag_.resize(points_.size());
     U_.resize(points_.size());
     t_.resize(points_.size());
-    couple_.resize(around[0].couple.size());
+    couple_.resize(around.couple.size());
     shear_.resize(couple_.size());
+}
 
-    // Lanes beyond the last filament repeat it. Fill all lanes of a list before reading it:
-    // scalar stores followed at once by vector loads stall. One list at a time fits into the
-    // first-level cache
+// Lanes beyond the last filament repeat it. Fill all lanes of a list before reading it: scalar
+// stores followed at once by vector loads stall. One list at a time fits into the first-level
+// cache
+template<int Lanes>
+void Foam::filamentNewton<Lanes>::load(filament* const* lines,
+                                       const filament::surroundings* around,
+                                       const int n)
+{
+    first_ = lines[0];
+    N_ = first_->all_->segments;
+    points_ = around[0].points;
+    resize(around[0]);
     const auto take = [&](const auto& values, const auto& of, auto& to)
     {
         for (int l = 0; l < Lanes; ++l)
@@ -68,8 +75,14 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
     take(&filament::surroundings::U, around, U_);
     take(&filament::surroundings::couple, around, couple_);
     if (couple_.size()) take(&filament::surroundings::shear, around, shear_);
+}
 
-    // BDF2; the first step is backward Euler
+// The first step is backward Euler
+template<int Lanes>
+void Foam::filamentNewton<Lanes>::extrapolate(const scalar dt,
+                                              filament* const* lines,
+                                              const int n)
+{
     lanes c1, c2, r;
     for (int l = 0; l < Lanes; ++l)
     {
@@ -93,8 +106,11 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
             setPosition(l, i, lines[min(l, n - 1)]->heldPlace(i, dt));
         }
     }
+}
 
-    // Directions of the segments of the extrapolated shape, for the drag
+template<int Lanes>
+void Foam::filamentNewton<Lanes>::scale()
+{
     lanes meanDrag = lanes::Zero();
     forAll(points_, k)
     {
@@ -113,183 +129,40 @@ void Foam::filamentNewton<Lanes>::load(const scalar dt, filament* const* lines,
 }
 
 template<int Lanes>
-void Foam::filamentNewton<Lanes>::addInertia()
+auto Foam::filamentNewton<Lanes>::largestChange() -> lanes
 {
-    const filament::properties& all = *first_->all_;
+    lanes largest = lanes::Zero();
     for (label i = 0; i <= N_; ++i)
     {
-        const scalar w = all.lengthOf(i);
-        V_[i] = node(x_, i).colwise() * c0_ + pastV_[i];
-        node(right_, i) = (-w * all.mass) * (V_[i].colwise() * c0_ + pastA_[i]);
-        if (force_.size()) node(right_, i) += w * force_[i];
-        for (direction d = 0; d < 3; ++d)
-        {
-            newA_(4 * i + d, 4 * i + d) += w * all.mass * c0_.square();
-        }
+        const vectors change = node(next_, i) - node(change_, i);
+        largest = largest.max(dot(change, change));
     }
+    return largest;
 }
 
 template<int Lanes>
-void Foam::filamentNewton<Lanes>::addDrag()
+void Foam::filamentNewton<Lanes>::store(const int l, const scalar dt,
+                                        filament& f) const
 {
-    const scalar along = 1 - first_->all_->dragRatio;
-    forAll(points_, k)
+    f.VBefore_.swap(f.V_);
+    f.XBefore_.swap(f.X_);
+    forAll(f.X_, i)
     {
-        const label i = points_[k].segment;
-        const scalar share[2] = {1 - points_[k].at, points_[k].at};
-        const vectors& t = t_[k];
-        vectors F = share[0] * V_[i] + share[1] * V_[i + 1] - U_[k];
-        F -= along * (t.colwise() * dot(t, F)).eval();
-        F.colwise() *= drag_[k];
-        node(right_, i) -= share[0] * F;
-        node(right_, i + 1) -= share[1] * F;
         for (direction d = 0; d < 3; ++d)
         {
-            for (direction e = 0; e < 3; ++e)
-            {
-                if (d != e && along == 0) continue;
-                const lanes D = c0_ * drag_[k] *
-                                (scalar(d == e) - along * t.col(d) * t.col(e));
-                newA_(4 * i + d, 4 * i + 4 + e) += share[0] * share[1] * D;
-                if (d > e) continue;
-                for (int a = 0; a < 2; ++a)
-                {
-                    const label first = 4 * (i + a);
-                    newA_(first + d, first + e) += sqr(share[a]) * D;
-                }
-            }
+            const scalar X = x_[4 * i + d][l] + change_[4 * i + d][l];
+            f.X_[i][d] = X;
+            f.V_[i][d] = c0_[l] * X + pastV_[i](l, d);
         }
     }
-}
-
-template<int Lanes>
-void Foam::filamentNewton<Lanes>::addBending()
-{
-    const scalar ds = first_->all_->ds();
-    const scalar stiffness = first_->all_->rigidity / pow3(ds);
-    first_->bends(
-        [&](const scalar weight, const label k, const label* nodes,
-            const scalar* factor)
-        {
-            const scalar w = weight * stiffness;
-            vectors force = factor[0] * node(x_, nodes[0]) +
-                            factor[1] * node(x_, k) +
-                            factor[2] * node(x_, nodes[2]);
-            if (k == 0) force -= 2 * ds * clamp_[0];
-            if (k == N_) force += 2 * ds * clamp_[1];
-            for (int a = 0; a < 3; ++a)
-            {
-                node(right_, nodes[a]) -= w * factor[a] * force;
-                for (int b = 0; b < 3; ++b)
-                {
-                    if (nodes[a] > nodes[b]) continue;
-                    for (direction d = 0; d < 3; ++d)
-                    {
-                        newA_(4 * nodes[a] + d, 4 * nodes[b] + d) +=
-                            w * factor[a] * factor[b];
-                    }
-                }
-            }
-        });
-}
-
-template<int Lanes>
-void Foam::filamentNewton<Lanes>::addTension()
-{
-    const scalar ds = first_->all_->ds();
-    for (label i = 0; i < N_; ++i)
+    forAll(f.T_, i)
     {
         const label k = 4 * i + 7;
-        const vectors t = (node(x_, i + 1) - node(x_, i)) / ds;
-        const lanes T = unit_ * x_[k];
-        vectors pull = t.colwise() * T;
-        lanes answer = T / ds;
-        if (couple_.size())
-        {
-            pull +=
-                (shear_[i] + (V_[i + 1] - V_[i]) / ds).colwise() * couple_[i];
-            answer += couple_[i] * c0_ / ds;
-        }
-        node(right_, i) += pull;
-        node(right_, i + 1) -= pull;
-        for (direction d = 0; d < 3; ++d)
-        {
-            const label a = 4 * i + d, b = a + 4;
-            newA_(a, a) += answer;
-            newA_(b, b) += answer;
-            newA_(a, b) -= answer;
-            newA_(b, k) = unit_ * t.col(d);
-            newA_(a, k) = -newA_(b, k);
-        }
-        right_[k] = -0.5 * ds * unit_ * (dot(t, t) - 1);
+        f.T_[i] = unit_[l] * (x_[k][l] + change_[k][l]);
     }
-}
-
-// Rows of held nodes are replaced by: change = 0
-template<int Lanes>
-void Foam::filamentNewton<Lanes>::hold()
-{
-    const label n = 4 * (N_ + 1);
-    for (const label i : {label(0), N_})
-    {
-        for (label a = 4 * i; a < 4 * i + 3 && first_->held(i); ++a)
-        {
-            for (label b = max(label(0), a - 8); b <= min(n - 1, a + 8); ++b)
-            {
-                newA_(min(a, b), max(a, b)) = lanes::Zero();
-            }
-            newA_(a, a) = unit_;
-            right_[a] = lanes::Zero();
-        }
-    }
-}
-
-// Fresh lanes are linearised about their present unknowns. Other lanes keep their matrix and
-// the unknowns at which it was computed
-template<int Lanes>
-auto Foam::filamentNewton<Lanes>::linearise(const mask& fresh) -> mask
-{
-    const label n = 4 * (N_ + 1);
-    for (label j = 0; j < n; ++j)
-    {
-        x_[j] += fresh.select(change_[j], scalar(0));
-        change_[j] = fresh.select(scalar(0), change_[j]);
-    }
-    newA_.clear(n);
-    newA_(3, 3) = unit_;
-    addInertia();
-    addDrag();
-    addBending();
-    addTension();
-    hold();
-
-    mask regular;
-    const auto result = newA_.factor();
-    for (int l = 0; l < Lanes; ++l)
-    {
-        regular[l] = result[l] || !fresh[l];
-    }
-    if (fresh.all())
-        std::swap(A_, newA_);
-    else
-        A_.take(newA_, fresh.data());
-    return regular;
-}
-
-// Quadratic terms of the change: tension times direction, and the square of a segment's length
-template<int Lanes>
-void Foam::filamentNewton<Lanes>::addQuadratic()
-{
-    const scalar ds = first_->all_->ds();
-    for (label i = 0; i < N_; ++i)
-    {
-        const label k = 4 * i + 7;
-        const vectors t = (node(change_, i + 1) - node(change_, i)) / ds;
-        const vectors pull = t.colwise() * (unit_ * change_[k]);
-        if (!first_->held(i)) node(next_, i) += pull;
-        if (!first_->held(i + 1)) node(next_, i + 1) -= pull;
-        next_[k] -= 0.5 * ds * unit_ * dot(t, t);
-    }
+    if (f.meanV_.size()) f.meanV_ += dt * f.V_;
+    f.lastDeltaT_ = dt;
+    f.timeLeft_ -= dt;
 }
 
 template<int Lanes>
@@ -300,7 +173,9 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
 {
     // Work space shared by all calls
     static filamentNewton<Lanes> x;
-    x.load(dt, lines, around, n);
+    x.load(lines, around, n);
+    x.extrapolate(dt, lines, n);
+    x.scale();
 
     const filament::properties& all = *lines[0]->all_;
     const scalar ds = all.ds();
@@ -321,13 +196,7 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
         x.addQuadratic();
         x.A_.solve(x.next_);
 
-        // Square of the largest change of a position
-        lanes largest = lanes::Zero();
-        for (label i = 0; i <= x.N_; ++i)
-        {
-            const vectors change = node(x.next_, i) - node(x.change_, i);
-            largest = largest.max(dot(change, change));
-        }
+        const lanes largest = x.largestChange();
         going = going && largest < sqr(all.length);
         for (size_t j = 0; j < x.change_.size(); ++j)
         {
@@ -350,27 +219,7 @@ Foam::filamentNewton<Lanes>::step(const scalar dt, filament* const* lines,
     for (int l = 0; l < n; ++l)
     {
         advanced[l] = done[l];
-        if (!done[l]) continue;
-        filament& f = *lines[l];
-        f.VBefore_.swap(f.V_);
-        f.XBefore_.swap(f.X_);
-        forAll(f.X_, i)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                const scalar X = x.x_[4 * i + d][l] + x.change_[4 * i + d][l];
-                f.X_[i][d] = X;
-                f.V_[i][d] = x.c0_[l] * X + x.pastV_[i](l, d);
-            }
-        }
-        forAll(f.T_, i)
-        {
-            const label k = 4 * i + 7;
-            f.T_[i] = x.unit_[l] * (x.x_[k][l] + x.change_[k][l]);
-        }
-        if (f.meanV_.size()) f.meanV_ += dt * f.V_;
-        f.lastDeltaT_ = dt;
-        f.timeLeft_ -= dt;
+        if (done[l]) x.store(l, dt, *lines[l]);
     }
     return advanced;
 }
