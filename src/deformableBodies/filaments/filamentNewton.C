@@ -1,5 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
+// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include "filamentNewton.H"
 
 namespace
