@@ -54,7 +54,7 @@ TEST(RigidStep, startsWithTheFluid)
     EXPECT_LT(mag(m.velocity - vector(0.3, -0.2, 0.1)), 1e-14);
     EXPECT_LT(mag(m.angularVelocity - W), 1e-14);
 
-    // And goes on with it, without a force
+    // The motion goes on without a force
     s.step().advance(m, s.forces, none);
     EXPECT_LT(max(mag(s.forces)), 1e-13);
     EXPECT_LT(mag(m.angularVelocity - W), 1e-13);
