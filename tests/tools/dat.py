@@ -7,10 +7,12 @@ class Table:
     """Columns by name, rows in the order of the file."""
 
     def __init__(self, file):
+        # Read once: the file may be a pipe
         with open(file) as f:
-            first = f.readline()
+            lines = f.readlines()
+        first = lines[0] if lines else ""
         self.names = first.split()[1:] if first.startswith("#") else []
-        self.rows = np.loadtxt(file, ndmin=2)
+        self.rows = np.loadtxt(lines, ndmin=2)
 
     def __getitem__(self, name):
         return self.rows[:, self.names.index(name)]
