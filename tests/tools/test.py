@@ -196,11 +196,6 @@ def oneTriangleIsTurned():
     assert sum(a != b for a, b in zip(scenes.octahedron(-1).splitlines(), scenes.octahedron(3).splitlines())) == 2
 
 
-def blocksOfDocumentsAreFound():
-    file("page", "text\n\n    a 1;\n\n    b { c 2; }\nmore\n    d;\n")
-    assert scenes.indented("page") == ["a 1;\n\nb { c 2; }\n", "d;\n"]
-
-
 def spheresResistAsInTables():
     # Brenner 1961, Goldman, Cox & Brenner 1967
     near(theory.sphereResistance("towards", np.cosh(1) - 1), 3.0361, 1e-3)
