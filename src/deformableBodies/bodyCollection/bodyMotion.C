@@ -39,7 +39,6 @@ void Foam::bodyMotion::moveWithVelocity(const staggeredView& u,
                                         staggeredField& force)
 {
     const Time& time = system_.mesh.time();
-    const auto timing(system_.effects.time("places"));
     const labelList groups(system_.groupsThat(forcingType::none));
     markerValues markers;
     if (!system_.withoutFluid && groups.size())

@@ -132,7 +132,8 @@ Foam::velocityPrediction Foam::staggeredFlow::prediction()
         diffusion_.isExplicit()
             ? 0
             : grid_.diffusionNumber(nu_.max(), scheme_.deltaT()),
-        {}};
+        {},
+        false};
     if (addsAtOnce())
     {
         p.force.append(staggeredTarget(u_, block_.place(0, 0, 0),
