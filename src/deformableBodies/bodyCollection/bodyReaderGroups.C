@@ -68,6 +68,11 @@ void Foam::bodyReader::checkGroup(const dictionary& bodies,
                    " belongs beside bodies {...}, "
                    "not into it");
     }
+    if (name == "nucleus" && isGroup && isGroup->found("radiusRatio"))
+    {
+        refuse(bodies, name, valueOf(*bodies.findEntry(name)),
+               "groups of bodies; nucleus belongs into a group of capsules");
+    }
     if (bodyStateFile::reserved(name))
     {
         refuse(dict_, "bodies", "a group " + name,

@@ -16,11 +16,8 @@ Foam::membraneModel::New(const dictionary& dict)
     auto cstr = dictionaryConstructorTablePtr_->cfind(law);
     if (!cstr.found())
     {
-        firstRankSpeaks();
-        FatalIOErrorInFunction(dict)
-            << "entry law has the value " << law << nl << "    allowed: "
-            << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
-            << exit(FatalIOError);
+        refuse(dict, "law", law,
+               oneOf(dictionaryConstructorTablePtr_->sortedToc()));
     }
     return cstr()(dict);
 }
