@@ -137,7 +137,7 @@ void test::box::moveWalls(const vector& lower, const vector& upper)
 
 std::unique_ptr<staggeredFlow> test::box::flow(const char* controls)
 {
-    effects.reset(new effectLedger(mesh_->time()));
+    effects.reset(new effectTable(mesh_->time()));
     for (const word name : {"momentum", "diffusion", "pressure", "fields"})
     {
         effects->declare(name, true, "");

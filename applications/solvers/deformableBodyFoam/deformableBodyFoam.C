@@ -45,7 +45,7 @@ Usage
 #include "runProgress.H"
 #include "sigFpe.H"
 #include "staggeredStep.H"
-#include "startDictionary.H"
+#include "readOnceDictionary.H"
 #include "printEnd.H"
 
 int main(int argc, char* argv[])
@@ -84,7 +84,7 @@ int main(int argc, char* argv[])
     {
         {
             const auto timing(effects.time("timeStep"));
-            bodies.setLimits(limits);
+            bodies.limits().set(limits);
             limits.adjust(runTime);
             if (flows)
             {

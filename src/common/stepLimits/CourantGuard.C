@@ -107,8 +107,7 @@ void Foam::CourantGuard::warn(const scalar Co)
                       << "    Reduce deltaT from " << Foam::name(dt)
                       << " to less than " << Foam::name(stable_ * dt / Co)
                       << ", or write adjustTimeStep yes; maxCo "
-                      << Foam::name(0.5 * stable_)
-                      << "; in system/controlDict"
+                      << Foam::name(0.5 * stable_) << "; in system/controlDict"
                       << (remedy_.empty() ? "" : ", or ") << remedy_.c_str()
                       << endl;
 }
@@ -159,7 +158,7 @@ void Foam::CourantGuard::stop(const string& reason, const scalar Co,
                 << (bodies_ ? "bodies, forces" : "forces")
                 << " or conditions need a smaller one";
     }
-    firstRankSpeaks();
+    waitForMaster();
     FatalErrorInFunction
         << (starting ? "the time step is too large" : "the flow diverges")
         << " at time " << time.timeName() << ", cell at " << where << ": "

@@ -6,7 +6,7 @@
 #include "dictionaryChecks.H"
 #include "fvc.H"
 #include "lastStep.H"
-#include "repeatedDictionary.H"
+#include "duplicateEntries.H"
 
 namespace Foam
 {
@@ -24,7 +24,7 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
 {
     const IOobject io("deformableBodies", mesh.time().constant(), mesh,
                       IOobject::MUST_READ, IOobject::NO_WRITE, false);
-    if (isThere<IOdictionary>(io))
+    if (fileExists<IOdictionary>(io))
     {
         read(io);
         return;
@@ -38,7 +38,7 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
 
 void Foam::bodyCollection::refuseMisplaced(const IOobject& io) const
 {
-    const fileName other(misplacedFile(io));
+    const fileName other(fileInOtherCase(io));
     if (other.empty()) return;
     FatalErrorInFunction
         << "there is no file "
@@ -52,19 +52,19 @@ void Foam::bodyCollection::read(const IOobject& io)
 {
     const fvMesh& mesh = system_.mesh;
     const IOdictionary dict(io);
-    refuseRepeated(dict, dict.filePath());
+    refuseDuplicates(dict, dict.filePath());
     for (const word& file : {io.name(), word("transportProperties")})
     {
         readAtStart_.append(
-            new startDictionary(mesh, file, "the bodies go on"));
+            new readOnceDictionary(mesh, file, "the bodies go on"));
     }
     bodyReader reader(dict, system_);
     reader.read();
     state_.reset(new bodyState(system_, limits_, reader.given()));
     state_->read(dict);
-    places_.reset(new bodyPlaces(mesh, system_.groups, *system_.markers,
-                                 system_.interactions.get()));
-    places_->checkStart(dict);
+    boxChecks_.reset(new boxChecks(mesh, system_.groups, *system_.markers,
+                                   system_.interactions.get()));
+    boxChecks_->checkStart(dict);
     output_.reset(new bodyOutput(system_, motion_,
                                  dict.getOrDefault<bool>("wrap", false)));
 }
@@ -94,7 +94,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
 {
     const Time& time = system_.mesh.time();
     if (lastMoved_ == time.timeIndex()) return;
-    usePimple();
+    limits_.usePimple();
     makeForceFlux();
 
     staggeredField force(system_.grid.box()), u(system_.grid.box());
@@ -127,7 +127,7 @@ void Foam::bodyCollection::judgeStep(const surfaceScalarField& phi)
         stepLimits_->guard().expect(
             1, "bodies, which move with the velocity of the last step", true);
     }
-    setLimits(*stepLimits_);
+    limits_.set(*stepLimits_);
     stepLimits_->setCourantNo(CourantGuard::CourantNo(phi));
     stepLimits_->judge([&]() { trouble_.any = true; });
     stepLimits_->judgeEstimate(
@@ -157,13 +157,13 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
 {
     if (lastMoved_ < 0)
     {
-        describe();
+        limits_.describe();
         if (output_) output_->start();
     }
     lastMoved_ = system_.mesh.time().timeIndex();
     if (empty()) return;
 
-    const auto timing(system_.effects.time("places"));
+    const auto timing(system_.effects.time("boxChecks"));
     system_.ownership->migrate(system_.groups);
     if (output_->sampleDue()) motion_.recordSlip(u);
     motion_.moveWithVelocity(u, force);
@@ -179,12 +179,12 @@ void Foam::bodyCollection::look()
     const label now = system_.mesh.time().timeIndex();
     if (trouble_.any || lastLooked_ == now) return;
     lastLooked_ = now;
-    const auto timing(system_.effects.time("places"));
-    const label here = places_->look(trouble_.sentence);
+    const auto timing(system_.effects.time("boxChecks"));
+    const label here = boxChecks_->look(trouble_.sentence);
     const label worst = returnReduce(here, maxOp<label>());
     if (here < worst) trouble_.sentence.clear();
-    trouble_.fate = bodyPlaces::fate(worst);
-    trouble_.any = trouble_.fate != bodyPlaces::INSIDE;
+    trouble_.fate = boxChecks::fate(worst);
+    trouble_.any = trouble_.fate != boxChecks::INSIDE;
 }
 
 void Foam::bodyCollection::sample()
@@ -203,10 +203,10 @@ void Foam::bodyCollection::stop()
 {
     const Time& time = system_.mesh.time();
     const string sentence(firstOf(trouble_.sentence));
-    const bool left = trouble_.fate == bodyPlaces::LEFT;
-    const bool pressed = trouble_.fate == bodyPlaces::PRESSED;
+    const bool left = trouble_.fate == boxChecks::LEFT;
+    const bool pressed = trouble_.fate == boxChecks::PRESSED;
     lastStep::writeBeforeStop(time, trouble_.outside() ? string() : sentence);
-    firstRankSpeaks();
+    waitForMaster();
     FatalErrorInFunction
         << "a body "
         << (left      ? "left the box"

@@ -44,7 +44,7 @@ void Foam::bodyMotion::moveWithVelocity(const staggeredView& u,
     if (!system_.withoutFluid && groups.size())
     {
         const scalar dt = time.deltaTValue();
-        markers = place(groups, dt);
+        markers = collect(groups, dt);
         const auto timing(system_.effects.time("interpolation"));
         system_.markers->interpolate({u}, markers.U);
     }
@@ -63,7 +63,7 @@ void Foam::bodyMotion::moveWithVelocity(const staggeredView& u,
     }
     if (!returnReduce(markers.X.size(), maxOp<label>())) return;
     const auto spreading(system_.effects.time("spreading"));
-    system_.markers->place(markers.X);
+    system_.markers->setPositions(markers.X);
     system_.markers->spread(markers.F, perMass(force, markers.F));
 }
 
@@ -82,7 +82,7 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p,
     const scalar fraction = impulseFractionOf(forcing, p.diffusionNumber);
 
     // A prediction has the force of the last step at the present markers
-    markerValues markers(place(groups, time.deltaTValue()));
+    markerValues markers(collect(groups, time.deltaTValue()));
     vectorField forceBefore;
     if (!p.isOfLastStep)
     {
@@ -115,8 +115,8 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p,
     }
 }
 
-Foam::bodyMotion::markerValues Foam::bodyMotion::place(const labelUList& groups,
-                                                       const scalar dt)
+Foam::bodyMotion::markerValues
+Foam::bodyMotion::collect(const labelUList& groups, const scalar dt)
 {
     const auto timing(system_.effects.time("interpolation"));
     const forcingType forcing = system_.groups[groups[0]].forcing();
@@ -141,7 +141,7 @@ Foam::bodyMotion::markerValues Foam::bodyMotion::place(const labelUList& groups,
         }
         first += n;
     }
-    system_.markers->place(markers.X);
+    system_.markers->setPositions(markers.X);
     if (haveLines)
     {
         system_.markers->lineDensity(markers.X, line,
@@ -160,7 +160,7 @@ void Foam::bodyMotion::recordSlip(const staggeredView& u)
         const auto timing(system_.effects.time("interpolation"));
         vectorField X(group.nMarkers()), U;
         group.markers(X.data(), 0);
-        system_.markers->place(X);
+        system_.markers->setPositions(X);
         system_.markers->interpolate({u}, U);
         refCast<directForcing>(group).recordSlip(U.cdata());
     }
@@ -220,7 +220,7 @@ void Foam::bodyMotion::spreadLoads(staggeredField& faces) const
     const markerValues markers(loads(identity(system_.groups.size())));
     if (!returnReduce(markers.X.size(), maxOp<label>())) return;
     const auto timing(system_.effects.time("spreading"));
-    system_.markers->place(markers.X);
+    system_.markers->setPositions(markers.X);
     system_.markers->spread(markers.F, faces);
 }
 
@@ -250,7 +250,9 @@ void Foam::bodyMotion::updateViscosity(const labelUList& groups)
         const label n = group.nMarkers();
         const enclosedFluid* fluid = group.inside();
         const scalar around =
-            group.host() < 0 ? 1 : group.hostGroup().inside()->viscosityRatio();
+            group.host() < 0
+                ? 1
+                : system_.groups[group.host()].inside()->viscosityRatio();
         const scalar more = fluid ? fluid->viscosityRatio() - around : 0;
         if (more != 0 && group.twoWay())
         {

@@ -35,7 +35,7 @@ void Foam::bodyReader::read()
                           "removed", "sampleInterval", "wrap"}));
     readLoads();
     readInteractions(around);
-    system_.effects.declare("places", true,
+    system_.effects.declare("boxChecks", true,
                             "bodies that leave their block or the box, or "
                             "come close");
 }
@@ -47,7 +47,7 @@ void Foam::bodyReader::checkMesh() const
     {
         if (system_.mesh.geometricD()[d] < 0)
         {
-            firstRankSpeaks();
+            waitForMaster();
             FatalIOErrorInFunction(dict_)
                 << "deformableBodies needs three dimensions, but direction "
                 << vector::componentNames[d] << " has patches of type empty"
@@ -57,7 +57,7 @@ void Foam::bodyReader::checkMesh() const
     }
     if (system_.mesh.dynamic())
     {
-        firstRankSpeaks();
+        waitForMaster();
         FatalIOErrorInFunction(dict_)
             << "deformableBodies needs a mesh that does not move or change"
             << exit(FatalIOError);
@@ -126,7 +126,7 @@ Foam::vector Foam::bodyReader::readGravity() const
     const fvMesh& mesh = system_.mesh;
     const IOobject io("g", mesh.time().constant(), mesh, IOobject::MUST_READ,
                       IOobject::NO_WRITE, false);
-    if (!isThere<uniformDimensionedVectorField>(io)) return Zero;
+    if (!fileExists<uniformDimensionedVectorField>(io)) return Zero;
     const uniformDimensionedVectorField g(io);
     checkDimensions(g, dimAcceleration);
     return g.value();
@@ -220,7 +220,7 @@ void Foam::bodyReader::readViscosityRatios()
 void Foam::bodyReader::readLoads()
 {
     const dictionary& loads =
-        readDictIfThere(dict_, "loads", "pull { type deadLoad; group ...; }");
+        readDictIfPresent(dict_, "loads", "pull { type deadLoad; group ...; }");
     wordList names;
     for (const bodyGroup& group : system_.groups)
     {
@@ -252,7 +252,7 @@ void Foam::bodyReader::readLoads()
 void Foam::bodyReader::readInteractions(const bodyScene& scene)
 {
     dictionary interactions(
-        dict_, readDictIfThere(dict_, "interactions", "repulsion {}"));
+        dict_, readDictIfPresent(dict_, "interactions", "repulsion {}"));
     string reason(interactions.empty() ? "none given"
                                        : "bodies that come close");
     if (!nucleated_.empty() && !interactions.found("repulsion"))

@@ -3,7 +3,7 @@
 #include "bodyReader.H"
 #include "bodyStateFile.H"
 #include "dictionaryChecks.H"
-#include "judgedRatio.H"
+#include "rangeCheck.H"
 #include "nucleusReader.H"
 #include "pairNearField.H"
 

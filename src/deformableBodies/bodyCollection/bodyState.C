@@ -7,7 +7,7 @@
 #include <sstream>
 
 void Foam::bodyState::writeEntries(std::ostream& os,
-                                   const givenEntries& entries) const
+                                   const entryHistory& entries) const
 {
     OStringStream list;
     for (const auto& e : entries)
@@ -65,7 +65,7 @@ void Foam::bodyState::write(Ostream& os, const bool diverged) const
     {
         const bodyGroup& group = system_.groups[g];
         text << "    " << group.name() << " { type " << group.type() << ';';
-        for (const auto& fact : group.identify())
+        for (const auto& fact : group.madeWith())
         {
             text << ' ' << fact.first() << ' ' << fact.second() << ';';
         }
@@ -121,7 +121,7 @@ void Foam::bodyState::read(const IOdictionary& dict)
     const bool found = any && bodyStateFile::read(system_.mesh, saved, file);
     if (any && !found && time.value() > 0)
     {
-        firstRankSpeaks();
+        waitForMaster();
         FatalIOErrorInFunction(dict)
             << "no state of the bodies for time " << time.timeName()
             << ", file " << file.c_str() << nl
@@ -151,7 +151,8 @@ void Foam::bodyState::read(const IOdictionary& dict)
                    "started; or restart initial; for all");
         }
         system_.ownership->distribute(
-            group, continues ? statesOf(group, saved) : List<scalarList>(),
+            system_.groups, g,
+            continues ? statesOf(group, saved) : List<scalarList>(),
             continues ? saved : dictionaryOf(g, dict));
         if (time.value() > 0 && !continues)
         {

@@ -15,7 +15,7 @@ void Foam::bodyState::checkGroups(const IOdictionary& dict,
 {
     if (saved.getOrDefault<bool>(bodyStateFile::diverged, false))
     {
-        firstRankSpeaks();
+        waitForMaster();
         FatalIOErrorInFunction(saved)
             << "this state was written because the run diverged" << nl
             << "    allowed: an earlier time to start from"
@@ -54,7 +54,7 @@ void Foam::bodyState::checkGroups(const IOdictionary& dict,
         {
             continue;
         }
-        firstRankSpeaks();
+        waitForMaster();
         FatalIOErrorInFunction(saved)
             << "the state has a group " << name
             << ", constant/deformableBodies none" << nl
@@ -72,7 +72,7 @@ Foam::bodyState::statesOf(const bodyGroup& group, const dictionary& saved) const
                              const string& remedy = string())
     {
         const label host = group.host();
-        firstRankSpeaks();
+        waitForMaster();
         FatalIOErrorInFunction(saved)
             << "the state has " << what.c_str()
             << ", constant/deformableBodies " << now.c_str() << nl
@@ -93,7 +93,7 @@ Foam::bodyState::statesOf(const bodyGroup& group, const dictionary& saved) const
         differs("group " + name + " of type " + type,
                 "one of type " + group.type());
     }
-    for (const auto& fact : group.identify())
+    for (const auto& fact : group.madeWith())
     {
         const scalar now = fact.second();
         const scalar then = facts.getOrDefault<scalar>(fact.first(), now);
@@ -131,11 +131,11 @@ void Foam::bodyState::compareEntries(const dictionary& saved,
             all ? saved.subOrEmptyDict(bodyStateFile::allGroups)
                 : groups.subOrEmptyDict(system_.groups[g].name()));
         if (!then.found("given")) continue;
-        compareEntries(g, then.get<givenEntries>("given"), saved);
+        compareEntries(g, then.get<entryHistory>("given"), saved);
     }
 }
 
-void Foam::bodyState::compareEntries(const label g, const givenEntries& then,
+void Foam::bodyState::compareEntries(const label g, const entryHistory& then,
                                      const dictionary& saved) const
 {
     const bool all = g == system_.groups.size();
@@ -152,7 +152,7 @@ void Foam::bodyState::compareEntries(const label g, const givenEntries& then,
             if (change.then.empty()) change.then = otherwise;
             if (change.now.empty()) change.now = otherwise;
             if (change.then == change.now) continue;
-            firstRankSpeaks();
+            waitForMaster();
             FatalIOErrorInFunction(saved)
                 << "group " << name << ": entry " << change.text().c_str()
                 << " in constant/deformableBodies" << nl

@@ -13,9 +13,7 @@ defineRunTimeSelectionTable(bodyGroup, dictionary);
 
 Foam::bodyGroup::bodyGroup(const word& name, const dictionary& dict,
                            const bodyScene& scene)
-    : name_(name),
-      coupling_(readCoupling(dict, scene.coupling)),
-      removesOutside_(Foam::removesOutside(dict, scene.removesOutside)),
+    : bodyMembers(name, dict, scene),
       scene_(scene)
 {
     // Kernels do not wrap around a box of their own width
@@ -46,36 +44,49 @@ Foam::autoPtr<Foam::bodyGroup> Foam::bodyGroup::New(const word& name,
     return cstr()(name, dict, scene);
 }
 
-Foam::string Foam::bodyGroup::nameOfBody(const label body) const
-{
-    return "body " + Foam::name(body) + " of group " + name_;
-}
-
 void Foam::bodyGroup::insert(const label body, const scalarList& state,
                              const dictionary& source)
 {
-    const label i =
-        std::lower_bound(mine_.begin(), mine_.end(), body) - mine_.begin();
-    mine_.append(body);
-    for (label k = mine_.size() - 1; k > i; --k)
+    const bool atStart = state.empty();
+    const label i = add(body, atStart);
+    insertBody(i, body, state, source);
+    if (atStart) checkStart(i, source);
+}
+
+void Foam::bodyGroup::checkStart(const label i, const dictionary& dict) const
+{
+    const boundBox box(bounds(i, true));
+    const vector lo(scene_.grid.origin()), length(scene_.grid.length());
+    const auto refuseBox =
+        [&](const direction d, const string& what, const string& allowed)
     {
-        mine_[k] = mine_[k - 1];
-    }
-    mine_[i] = body;
-    insertBody(i, body);
-    if (state.size())
+        waitForMaster();
+        FatalIOErrorInFunction(dict)
+            << "entry positions: body " << mine()[i] << what.c_str()
+            << box.min()[d] << " to " << box.max()[d] << " in direction "
+            << vector::componentNames[d] << nl
+            << "    allowed: " << allowed.c_str() << exit(FatalIOError);
+    };
+    for (direction d = 0; d < 3; ++d)
     {
-        setState(i, state, source);
-        return;
+        const scalar hi = lo[d] + length[d];
+        if (!scene_.grid.periodic(d) &&
+            (box.min()[d] < lo[d] || box.max()[d] > hi))
+        {
+            refuseBox(d, " reaches through a wall of the box: it extends from ",
+                      Foam::name(lo[d]) + " to " + Foam::name(hi));
+        }
+        if (box.span()[d] >= length[d] && points(-1).isSurface())
+        {
+            refuseBox(d, " is larger than the box: it extends from ",
+                      "less than " + Foam::name(length[d]));
+        }
     }
-    startsAfresh_ = true;
-    checkStart(i, source);
 }
 
 void Foam::bodyGroup::setHost(const label host, const bodyGroup& group)
 {
     host_ = host;
-    hostGroup_ = &group;
     forAll(start_.positions, body)
     {
         point& x = start_.positions[body];
@@ -86,18 +97,14 @@ void Foam::bodyGroup::setHost(const label host, const bodyGroup& group)
 Foam::scalarList Foam::bodyGroup::release(const label i)
 {
     const scalarList s(state(i));
-    for (label k = i; k + 1 < mine_.size(); ++k)
-    {
-        mine_[k] = mine_[k + 1];
-    }
-    mine_.setSize(mine_.size() - 1);
+    remove(i);
     eraseBody(i);
     return s;
 }
 
 Foam::List<Foam::scalarList> Foam::bodyGroup::states() const
 {
-    List<scalarList> all(mine_.size());
+    List<scalarList> all(mine().size());
     forAll(all, i)
     {
         all[i] = state(i);
@@ -108,6 +115,6 @@ Foam::List<Foam::scalarList> Foam::bodyGroup::states() const
 void Foam::bodyGroup::contactPoints(const label i, vector* X, vector* V) const
 {
     const bodyPoints p(points(i));
-    std::copy(p.places.begin(), p.places.end(), X);
+    std::copy(p.positions.begin(), p.positions.end(), X);
     std::copy(p.velocities.begin(), p.velocities.end(), V);
 }

@@ -85,28 +85,6 @@ Foam::groupEntries::readNearField(const string& never,
     return {wanted == "on", wanted == "auto" && whyNot.empty(), whyNot};
 }
 
-void Foam::groupEntries::checkWalls(const dictionary& dict,
-                                    const uniformGrid& grid, const label body,
-                                    const boundBox& bounds)
-{
-    const vector lo(grid.origin()), hi(lo + grid.length());
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (!grid.periodic(d) &&
-            (bounds.min()[d] < lo[d] || bounds.max()[d] > hi[d]))
-        {
-            firstRankSpeaks();
-            FatalIOErrorInFunction(dict)
-                << "entry positions: body " << body
-                << " reaches through a wall of the box: it extends from "
-                << bounds.min()[d] << " to " << bounds.max()[d]
-                << " in direction " << vector::componentNames[d] << nl
-                << "    allowed: " << lo[d] << " to " << hi[d]
-                << exit(FatalIOError);
-        }
-    }
-}
-
 Foam::bodyStart Foam::groupEntries::random(const solidForm& form,
                                            const scalar volume,
                                            const scalar fromCentre) const
@@ -134,7 +112,7 @@ Foam::pointField Foam::groupEntries::positions() const
     forAll(positions, i)
     {
         if (box.contains(positions[i])) continue;
-        firstRankSpeaks();
+        waitForMaster();
         FatalIOErrorInFunction(dict_)
             << "entry positions: body " << i << " at " << positions[i]
             << " lies outside the box" << nl << "    allowed: points in "

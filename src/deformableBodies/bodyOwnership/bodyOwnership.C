@@ -2,10 +2,11 @@
 
 #include "bodyOwnership.H"
 
-void Foam::bodyOwnership::distribute(bodyGroup& group,
+void Foam::bodyOwnership::distribute(PtrList<bodyGroup>& groups, const label g,
                                      const List<scalarList>& states,
                                      const dictionary& source) const
 {
+    bodyGroup& group = groups[g];
     for (label body = 0; body < group.nBodies(); ++body)
     {
         const scalarList state(states.size() ? states[body] : scalarList());
@@ -14,7 +15,7 @@ void Foam::bodyOwnership::distribute(bodyGroup& group,
                                          : group.initialCentre(body));
         if (group.host() < 0
                 ? neighbours_.holderOfAll(centre) == Pstream::myProcNo()
-                : group.hostGroup().mine().found(body))
+                : groups[group.host()].mine().found(body))
         {
             group.insert(body, state, source);
         }

@@ -8,7 +8,7 @@
 
 Foam::bodyWriter::bodyWriter(const fvMesh& mesh,
                              const PtrList<bodyGroup>& groups,
-                             effectLedger& effects, const string& note,
+                             effectTable& effects, const string& note,
                              const uniformGrid* wrapInto)
     : time_(mesh.time()),
       region_(mesh.dbDir()),

@@ -13,25 +13,42 @@ Foam::tensor Foam::capsuleGroup::turnOf(const label body) const
     return turnTo(start_.directions[body]) & turnTo(axis_).T();
 }
 
-void Foam::capsuleGroup::insertBody(const label i, const label body)
+void Foam::capsuleGroup::insertBody(const label i, const label body,
+                                    const scalarList& state,
+                                    const dictionary& source)
 {
-    // The harmonic of degree 0 is 1/sqrt(4 pi)
     capsule c;
     c.x = initial_;
+    c.velocity.assign(c.x.size(), 0);
+    if (state.size())
+    {
+        centreOf(state, body, source);
+        c.restore(state, motion_->hasPrevious(), motion_->hasLag(),
+                  bool(nearField_));
+    }
+    else
+    {
+        setToStart(c, body);
+    }
+    startAt(c);
+    capsules_.insert(capsules_.begin() + i, c);
+}
+
+void Foam::capsuleGroup::setToStart(capsule& c, const label body) const
+{
     const tensor turn(turnOf(body));
     for (size_t k = 0; k < c.x.size(); k += 3)
     {
         const vector x(turn & vector(c.x[k], c.x[k + 1], c.x[k + 2]));
         std::copy_n(&x[0], 3, &c.x[k]);
     }
+
+    // The harmonic of degree 0 is 1/sqrt(4 pi)
     for (direction d = 0; d < 3; ++d)
     {
         c.x[d] += start_.positions[body][d] *
                   std::sqrt(4 * constant::mathematical::pi);
     }
-    startAt(c);
-    c.velocity.assign(c.x.size(), 0);
-    capsules_.insert(capsules_.begin() + i, c);
 }
 
 void Foam::capsuleGroup::eraseBody(const label i)
@@ -51,7 +68,7 @@ Foam::bodyPoints Foam::capsuleGroup::initialPoints(const label body) const
     bodyPoints p(points(-1));
     p.body = body;
     const tensor turn(turnOf(body));
-    p.places = start_.positions[body] + (turn & p.places);
+    p.positions = start_.positions[body] + (turn & p.positions);
     p.areas = turn & p.areas;
     return p;
 }
@@ -83,26 +100,6 @@ Foam::boundBox Foam::capsuleGroup::bounds(const label i,
         }
     }
     return boundBox(centre(i) - reach, centre(i) + reach);
-}
-
-void Foam::capsuleGroup::checkStart(const label i, const dictionary& dict) const
-{
-    const label body = mine()[i];
-    const boundBox bounds(capsules_[i].markers, false);
-    const vector length(scene_.grid.length());
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (bounds.span()[d] >= length[d])
-        {
-            firstRankSpeaks();
-            FatalIOErrorInFunction(dict)
-                << "body " << body << " is larger than the box: it spans "
-                << bounds.span()[d] << " in direction "
-                << vector::componentNames[d] << nl << "    allowed: less than "
-                << length[d] << exit(FatalIOError);
-        }
-    }
-    groupEntries::checkWalls(dict, scene_.grid, body, bounds);
 }
 
 const Foam::bodyReport& Foam::capsuleGroup::report() const
@@ -145,11 +142,11 @@ Foam::bodyPoints Foam::capsuleGroup::points(const label i) const
                  shell_->model().shearModulus()};
     if (i < 0)
     {
-        markers_->values(initial_.data(), p.places.data());
+        markers_->values(initial_.data(), p.positions.data());
         markers_->areas(initial_.data(), p.areas.data());
         return p;
     }
-    contactPoints(i, p.places.data(), p.velocities.data());
+    contactPoints(i, p.positions.data(), p.velocities.data());
     markers_->areas(capsules_[i].xMid.data(), p.areas.data());
     return p;
 }
@@ -166,13 +163,6 @@ void Foam::capsuleGroup::contactPoints(const label i, vector* X,
     }
 }
 
-Foam::bodyGroup::makeList Foam::capsuleGroup::identify() const
-{
-    return {{"harmonics", scalar(harmonics().degree())},
-            {"radius", radius_},
-            {"area", referenceArea_}};
-}
-
 Foam::scalarList Foam::capsuleGroup::state(const label i) const
 {
     return capsules_[i].state();
@@ -184,7 +174,7 @@ Foam::point Foam::capsuleGroup::centreOf(const scalarList& state,
 {
     if (capsule::degreeOf(state) != harmonics().degree())
     {
-        firstRankSpeaks();
+        waitForMaster();
         FatalIOErrorInFunction(source)
             << "the saved state of body " << body << " of group " << name()
             << " has " << state.size() << " numbers where "
@@ -193,14 +183,4 @@ Foam::point Foam::capsuleGroup::centreOf(const scalarList& state,
             << exit(FatalIOError);
     }
     return capsule::centreOf(state);
-}
-
-void Foam::capsuleGroup::setState(const label i, const scalarList& state,
-                                  const dictionary& source)
-{
-    capsule& c = capsules_[i];
-    centreOf(state, mine()[i], source);
-    c.restore(state, motion_->hasPrevious(), motion_->hasLag(),
-              bool(nearField_));
-    startAt(c);
 }

@@ -5,7 +5,7 @@
 #include "dictionaryChecks.H"
 #include "capsuleReport.H"
 #include "initialShape.H"
-#include "judgedRatio.H"
+#include "rangeCheck.H"
 #include "turnTo.H"
 #include <cmath>
 
@@ -84,12 +84,14 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     referenceArea_ = reference.area;
     radius_ = std::cbrt(0.75 / constant::mathematical::pi * referenceVolume_);
     shell_->readBending(dict, radius_, initial_);
+    madeWith_ = {{"harmonics", scalar(degree)},
+                 {"radius", radius_},
+                 {"area", referenceArea_}};
 
     setNearField(dict, extent);
-    motion_ =
-        capsuleMotion::New(dict,
-                           {*shell_, harmonics(), radius_,
-                            0.5 * (1 + viscosityRatio_) * scene_.mu,
+    motion_ = capsuleMotion::New(dict,
+                                 {*shell_, harmonics(), radius_,
+                                  0.5 * (1 + viscosityRatio_) * scene_.mu,
                                   scene_.effects},
                                  scene_, nearField_.get());
     setFilter(dict);

@@ -5,7 +5,7 @@
 #include "capsuleGroup.H"
 #include "dictionaryChecks.H"
 #include "initialShape.H"
-#include "judgedRatio.H"
+#include "rangeCheck.H"
 #include "turnTo.H"
 #include <cmath>
 
@@ -95,7 +95,7 @@ void Foam::capsuleGroup::judgeSize(const dictionary& dict) const
             toImage = min(toImage, (L[d] - box.span()[d]) / h[d]);
         }
     }
-    List<judgedRatio> ratios({
+    List<rangeCheck> ratios({
         {"shape", "radius/h", radius_ / cmptMax(h), 1, GREAT, 2, GREAT,
          "the kernel spreads the membrane over three cells"},
     });

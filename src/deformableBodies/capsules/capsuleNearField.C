@@ -58,13 +58,13 @@ void Foam::capsuleNearField::setTaper(const scalar degree)
 const Foam::capsuleNearField::pointSum&
 Foam::capsuleNearField::setPoints(const double* x, std::vector<vector>& X) const
 {
-    const auto place = [&](const pointSum& s) -> const pointSum&
+    const auto setSources = [&](const pointSum& s) -> const pointSum&
     {
         X.resize(s.points.size());
         s.points.values(x, X.data());
         return s;
     };
-    place(*usual_);
+    setSources(*usual_);
     if (!stretched_) return *usual_;
     vector mean(Zero);
     for (size_t k = 0; k < X.size(); ++k)
@@ -76,7 +76,7 @@ Foam::capsuleNearField::setPoints(const double* x, std::vector<vector>& X) const
     {
         longest = max(longest, magSqr(p - mean));
     }
-    return longest > sqr(1.7 * extent_) ? place(*stretched_) : *usual_;
+    return longest > sqr(1.7 * extent_) ? setSources(*stretched_) : *usual_;
 }
 
 void Foam::capsuleNearField::forces(const double* x, const double* load,

@@ -16,7 +16,7 @@ inline Foam::vector vectorOf(const std::vector<double>& v, const Foam::label n,
 Foam::capsuleShell::capsuleShell(const label degree, const scalar dealiasing,
                                  const dictionary& dict,
                                  const numbers& stressFree,
-                                 effectLedger& effects)
+                                 effectTable& effects)
     : membrane_(degree, label(dealiasing * degree) + 1,
                 readDict(dict, "membrane", "law neoHookean; Gs 1e-6;"),
                 stressFree),
@@ -31,7 +31,8 @@ void Foam::capsuleShell::readBending(const dictionary& dict,
                                      const scalar radius,
                                      const numbers& initial)
 {
-    const dictionary& bend = readDictIfThere(dict, "bending", "modulus 1e-19;");
+    const dictionary& bend =
+        readDictIfPresent(dict, "bending", "modulus 1e-19;");
     checkEntries(bend, {"modulus", "reference"});
     const scalar modulus =
         dict.found("bending")

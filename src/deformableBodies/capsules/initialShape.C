@@ -64,7 +64,7 @@ class starSurface
 
     void refuseFile(const string& why) const
     {
-        firstRankSpeaks();
+        waitForMaster();
         FatalIOErrorInFunction(dict_)
             << "entry file: " << dict_.get<fileName>("file").c_str() << " "
             << why.c_str() << nl

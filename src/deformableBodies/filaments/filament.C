@@ -4,7 +4,7 @@
 #include "filamentNewton.H"
 #include <cmath>
 
-const int Foam::filament::together = vectorLength;
+const int Foam::filament::nLanes = vectorLength;
 
 Foam::filament::filament(const properties& all, const point& first,
                          const vector& direction)
@@ -54,7 +54,7 @@ Foam::vector Foam::filament::bend(const vectorField& X, const label k) const
     return X[k - 1] - 2 * X[k] + X[k + 1];
 }
 
-Foam::vector Foam::filament::heldPlace(const label i, const scalar dt) const
+Foam::vector Foam::filament::heldPosition(const label i, const scalar dt) const
 {
     return X_[i] +
            min(dt / timeLeft_, scalar(1)) * (base_[i == 0 ? 0 : 1] - X_[i]);
@@ -109,9 +109,9 @@ Foam::List<bool> Foam::filament::step(const scalar dt,
         {
             line->begin(dt);
         }
-        for (label first = 0; first < lines.size(); first += together)
+        for (label first = 0; first < lines.size(); first += nLanes)
         {
-            const label n = min(together, lines.size() - first);
+            const label n = min(nLanes, lines.size() - first);
             const auto done = filamentNewton<vectorLength>::step(
                 dt, &lines[first], &around[first], n);
             std::copy_n(done.begin(), n, &advanced[first]);
@@ -244,8 +244,8 @@ void Foam::filament::restore(const scalar* state)
     iterations_ = label(*state);
 }
 
-Foam::vectorField Foam::filament::placesOf(const scalar* state,
-                                           const label segments)
+Foam::vectorField Foam::filament::positionsOf(const scalar* state,
+                                              const label segments)
 {
     vectorField X(segments + 1);
     restore(state + 1, X);

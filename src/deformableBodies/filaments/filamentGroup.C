@@ -5,7 +5,7 @@
 #include "filamentGroup.H"
 #include "dictionaryChecks.H"
 #include "filamentReport.H"
-#include "judgedRatio.H"
+#include "rangeCheck.H"
 #include "mathematicalConstants.H"
 
 Foam::filamentGroup::~filamentGroup() {}
@@ -32,7 +32,9 @@ Foam::vectorField Foam::filamentGroup::firstShape(const label number) const
     return X;
 }
 
-void Foam::filamentGroup::insertBody(const label i, const label number)
+void Foam::filamentGroup::insertBody(const label i, const label number,
+                                     const scalarList& state,
+                                     const dictionary& source)
 {
     body x(filament(properties_, firstShape(number)));
     x.line.clamp(0, start_.directions[number]);
@@ -40,7 +42,8 @@ void Foam::filamentGroup::insertBody(const label i, const label number)
     x.U.setSize(points_.size(), Zero);
     x.X.setSize(markersEach());
     x.forces.setSize(twoWay() ? markersEach() : 0, Zero);
-    x.start = x.line.places()[movedEnd() * properties_.segments];
+    x.start = x.line.positions()[movedEnd() * properties_.segments];
+    if (state.size()) restore(x, number, state, source);
     bodies_.insert(bodies_.begin() + i, x);
 }
 
@@ -60,23 +63,16 @@ Foam::bodyPoints Foam::filamentGroup::initialPoints(const label number) const
     return pointsOf(number, X, vectorField(X.size(), Zero));
 }
 
-void Foam::filamentGroup::checkStart(const label i,
-                                     const dictionary& dict) const
-{
-    const label number = mine()[i];
-    groupEntries::checkWalls(dict, scene_.grid, number, bounds(i, true));
-}
-
 Foam::point Foam::filamentGroup::centre(const label i) const
 {
-    return average(bodies_[i].line.places());
+    return average(bodies_[i].line.positions());
 }
 
 Foam::boundBox Foam::filamentGroup::bounds(const label i,
                                            const bool smallest) const
 {
     const filament& line = bodies_[i].line;
-    return smallest ? boundBox(line.places(), false) : line.roughBounds();
+    return smallest ? boundBox(line.positions(), false) : line.roughBounds();
 }
 
 Foam::boundBox Foam::filamentGroup::forcedBounds(const label i) const
@@ -84,7 +80,7 @@ Foam::boundBox Foam::filamentGroup::forcedBounds(const label i) const
     vectorField X(points_.size());
     forAll(X, k)
     {
-        X[k] = points_[k](bodies_[i].line.places());
+        X[k] = points_[k](bodies_[i].line.positions());
     }
     return boundBox(X, false);
 }
@@ -118,13 +114,7 @@ Foam::bodyPoints Foam::filamentGroup::points(const label i) const
         return pointsOf(-1, X - average(X), vectorField(X.size(), Zero));
     }
     const filament& x = bodies_[i].line;
-    return pointsOf(mine()[i], x.places(), x.velocities());
-}
-
-Foam::bodyGroup::makeList Foam::filamentGroup::identify() const
-{
-    return {{"length", properties_.length},
-            {"segments", scalar(properties_.segments)}};
+    return pointsOf(mine()[i], x.positions(), x.velocities());
 }
 
 Foam::scalarList Foam::filamentGroup::state(const label i) const
@@ -148,7 +138,7 @@ Foam::point Foam::filamentGroup::centreOf(const scalarList& state,
                       3 * (points_.size() + (twoWay() ? markersEach() : 0));
     if (state.size() != all)
     {
-        firstRankSpeaks();
+        waitForMaster();
         FatalIOErrorInFunction(source)
             << "the saved state of body " << number << " of group " << name()
             << " has " << state.size() << " numbers where " << all
@@ -156,20 +146,20 @@ Foam::point Foam::filamentGroup::centreOf(const scalarList& state,
             << "segments, coupling, thicknessCouple, kernel or the size of the "
             << "cells changed?" << exit(FatalIOError);
     }
-    return average(filament::placesOf(state.cdata(), N));
+    return average(filament::positionsOf(state.cdata(), N));
 }
 
-void Foam::filamentGroup::setState(const label i, const scalarList& state,
-                                   const dictionary& source)
+void Foam::filamentGroup::restore(body& x, const label number,
+                                  const scalarList& state,
+                                  const dictionary& source) const
 {
-    centreOf(state, mine()[i], source);
-    body& x = bodies_[i];
+    centreOf(state, number, source);
     x.line.restore(state.cdata());
     if (properties_.scheme == filament::IMPLICIT && x.line.lengthError() > 1e-6)
     {
-        firstRankSpeaks();
+        waitForMaster();
         FatalIOErrorInFunction(source)
-            << "the saved state of body " << mine()[i]
+            << "the saved state of body " << number
             << " has segments of another length: was the entry length changed?"
             << exit(FatalIOError);
     }
@@ -185,7 +175,7 @@ void Foam::filamentGroup::judgeSize(const dictionary& dict) const
 {
     const scalar diameter =
         std::sqrt(4 / constant::mathematical::pi * crossSection_);
-    List<judgedRatio> ratios({
+    List<rangeCheck> ratios({
         {"diameter", "diameter/length", diameter / properties_.length, 0, 0.5,
          0, 0.5, "the theory is that of slender bodies"},
     });

@@ -245,7 +245,7 @@ Foam::string Foam::filamentGroup::move(const vector* U,
     ++steps_;
     now_ = s.time;
     step_ = s.dt;
-    const label all = mine().size(), some = min(all, filament::together);
+    const label all = mine().size(), some = min(all, filament::nLanes);
     List<filament::surroundings> around(some);
     // In one-way coupling the inertia of the fluid in its place is a force
     const bool loaded = !twoWay() || scene_.forces.actOn(name());

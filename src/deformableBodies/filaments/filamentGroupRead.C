@@ -43,6 +43,9 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
     thickness_ =
         twoWay() ? 2 * markerLine::radius(scene.kernel) * h_ : diameter;
     readSegments(dict);
+    forcing_ = twoWay() ? forcingType::ofLines : forcingType::none;
+    madeWith_ = {{"length", properties_.length},
+                 {"segments", scalar(properties_.segments)}};
     properties_.rigidity =
         readNumber(dict, "bendingRigidity", dimForce * dimArea);
     if (!(properties_.rigidity >= 0))

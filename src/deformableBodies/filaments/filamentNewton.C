@@ -105,7 +105,7 @@ void Foam::filamentNewton<Lanes>::extrapolate(const scalar dt,
     {
         for (int l = 0; l < Lanes && first_->held(i); ++l)
         {
-            setPosition(l, i, lines[min(l, n - 1)]->heldPlace(i, dt));
+            setPosition(l, i, lines[min(l, n - 1)]->heldPosition(i, dt));
         }
     }
 }

@@ -63,7 +63,7 @@ std::vector<Foam::errorIndicator> Foam::filamentReport::indicators() const
     scalar bend = 0, length = 0, slip = 0;
     for (const auto& x : group_.bodies_)
     {
-        const vectorField& X = x.line.places();
+        const vectorField& X = x.line.positions();
         for (label k = 1; k < N; ++k)
         {
             const vector before(X[k] - X[k - 1]), after(X[k + 1] - X[k]);
@@ -104,7 +104,7 @@ std::vector<Foam::bodyColumn> Foam::filamentReport::columns() const
 Foam::scalarList Foam::filamentReport::sample(const label i) const
 {
     const filament& x = group_.bodies_[i].line;
-    const vectorField& X = x.places();
+    const vectorField& X = x.positions();
     const label N = group_.properties_.segments;
     const vector force(sum(group_.bodies_[i].forces));
     vector centre(Zero);
@@ -137,7 +137,7 @@ Foam::scalarList Foam::filamentReport::sample(const label i) const
 Foam::bodySurface Foam::filamentReport::surface(const label i) const
 {
     const filament& x = group_.bodies_[i].line;
-    const vectorField& X = x.places();
+    const vectorField& X = x.positions();
     const label N = group_.properties_.segments;
 
     bodySurface s;

@@ -112,7 +112,7 @@ bool Foam::filament::twoStep(const scalar dt, const vectorField& f)
     for (const label i : {label(0), N})
     {
         if (!held(i)) continue;
-        b[i] = heldPlace(i, dt);
+        b[i] = heldPosition(i, dt);
         for (label j = max(i - 2, label(0)); j <= min(i + 2, N); ++j)
         {
             scalar& a = A(min(i, j), max(i, j));

@@ -110,7 +110,7 @@ void Foam::fluidViscosity::compare(const PtrList<bodyGroup>& groups)
         {
             scalar total = 0;
             label n = 0;
-            for (const point& x : group.points(i).places)
+            for (const point& x : group.points(i).positions)
             {
                 const labelVector cell(grid.cellAt(x));
                 if (!box.contains(cell)) continue;
@@ -121,8 +121,8 @@ void Foam::fluidViscosity::compare(const PtrList<bodyGroup>& groups)
             const scalar apart = ratio < 1 ? 1 / ratio : ratio;
             if (!(apart > furthest)) continue;
             furthest = apart;
-            body = group.nameOfBody(group.mine()[i]) + ": the fluid there has " +
-                   Foam::name(ratio * value_);
+            body = group.nameOfBody(group.mine()[i]) +
+                   ": the fluid there has " + Foam::name(ratio * value_);
         }
     }
     const scalar most = returnReduce(furthest, maxOp<scalar>());

@@ -49,7 +49,7 @@ Foam::fv::deformableBodiesSource::deformableBodiesSource(const word& name,
     }
     if (bodies_.empty())
     {
-        firstRankSpeaks();
+        waitForMaster();
         FatalIOErrorInFunction(dict)
             << "option " << name << " of type deformableBodies: there are no "
             << "bodies, as there is no file constant/deformableBodies"
@@ -71,7 +71,7 @@ void Foam::fv::deformableBodiesSource::addSup(fvMatrix<vector>& eqn,
 void Foam::fv::deformableBodiesSource::checkApplied() const
 {
     if (applied_[0] || bodies_.isBalancedBySolver()) return;
-    firstRankSpeaks();
+    waitForMaster();
     FatalIOErrorInFunction(dict_)
         << "option " << name_ << ": this solver does not ask for a source of "
         << fieldNames_[0] << ", so that the bodies would not move" << nl
@@ -82,7 +82,7 @@ void Foam::fv::deformableBodiesSource::checkApplied() const
 
 void Foam::fv::deformableBodiesSource::refuseDensity() const
 {
-    firstRankSpeaks();
+    waitForMaster();
     FatalIOErrorInFunction(dict_)
         << "deformableBodies works in incompressible solvers only, where the "
         << "momentum equation is divided by the density" << exit(FatalIOError);

@@ -2,7 +2,7 @@
 
 #include "nucleusReader.H"
 #include "dictionaryChecks.H"
-#include "judgedRatio.H"
+#include "rangeCheck.H"
 #include "mathematicalConstants.H"
 #include "periodicBox.H"
 
@@ -21,7 +21,7 @@ Foam::nucleusReader::nucleusReader(const dictionary& capsules,
         refuse(capsules, "nucleus", valueOf(*capsules.findEntry("nucleus")),
                "nuclei of capsules");
     }
-    hostRadius_ = std::cbrt(sum(surface.places & surface.areas) /
+    hostRadius_ = std::cbrt(sum(surface.positions & surface.areas) /
                             (4 * constant::mathematical::pi));
     const scalar ratio = readPositive(nucleus_, "radiusRatio", dimless);
     if (ratio >= 1)
@@ -72,9 +72,9 @@ Foam::scalar Foam::nucleusReader::toMembrane(const label body,
     const bodyPoints membrane(host_.initialPoints(body));
     const scalar patch = 2 * max(mag(membrane.areas));
     scalar nearest = GREAT;
-    forAll(membrane.places, k)
+    forAll(membrane.positions, k)
     {
-        const vector r(membrane.places[k] - x);
+        const vector r(membrane.positions[k] - x);
         const scalar toPlane = (r & membrane.areas[k]) / mag(membrane.areas[k]);
         const bool inPatch = magSqr(r) < sqr(toPlane) + patch;
         nearest = min(nearest, inPatch ? toPlane : mag(r));

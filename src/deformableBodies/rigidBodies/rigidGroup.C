@@ -29,8 +29,8 @@ Foam::bodyPoints Foam::rigidGroup::pointsOf(const label number,
     bodyPoints p{
         name(),        number, R & surface_, vectorField(),  R & areas_,
         scalarField(), 0,      GREAT,        shape_.volume()};
-    p.velocities = V + (W ^ p.places);
-    p.places += centre;
+    p.velocities = V + (W ^ p.positions);
+    p.positions += centre;
     p.densityRatio = densityRatio_;
     return p;
 }
@@ -67,7 +67,9 @@ Foam::boundBox Foam::rigidGroup::bounds(const label i, const bool) const
     return boundBox(x.centre - reach, x.centre + reach);
 }
 
-void Foam::rigidGroup::insertBody(const label i, const label number)
+void Foam::rigidGroup::insertBody(const label i, const label number,
+                                  const scalarList& state,
+                                  const dictionary& source)
 {
     const label n = markers_.size();
     body x;
@@ -76,23 +78,13 @@ void Foam::rigidGroup::insertBody(const label i, const label number)
     x.U.setSize(n, Zero);
     x.centre = start_.positions[number];
     x.turn = turnOf(number);
+    if (state.size()) restore(x, number, state, source);
     bodies_.insert(bodies_.begin() + i, x);
 }
 
 void Foam::rigidGroup::eraseBody(const label i)
 {
     bodies_.erase(bodies_.begin() + i);
-}
-
-void Foam::rigidGroup::checkStart(const label i, const dictionary& dict) const
-{
-    groupEntries::checkWalls(dict, scene_.grid, mine()[i], bounds(i, true));
-}
-
-Foam::bodyGroup::makeList Foam::rigidGroup::identify() const
-{
-    const vector& s = shape_.semiAxes();
-    return {{"semiAxisX", s.x()}, {"semiAxisY", s.y()}, {"semiAxisZ", s.z()}};
 }
 
 Foam::scalarList Foam::rigidGroup::state(const label i) const
@@ -124,7 +116,7 @@ Foam::point Foam::rigidGroup::centreOf(const scalarList& state,
 {
     if (state.size() < 18 || state.size() % 6 != 0)
     {
-        firstRankSpeaks();
+        waitForMaster();
         FatalIOErrorInFunction(source)
             << "the saved state of body " << number << " of group " << name()
             << " has " << state.size() << " numbers where 18 and 6 for each "
@@ -133,11 +125,11 @@ Foam::point Foam::rigidGroup::centreOf(const scalarList& state,
     return point(state[0], state[1], state[2]);
 }
 
-void Foam::rigidGroup::setState(const label i, const scalarList& state,
-                                const dictionary& source)
+void Foam::rigidGroup::restore(body& x, const label number,
+                               const scalarList& state,
+                               const dictionary& source) const
 {
-    body& x = bodies_[i];
-    x.centre = centreOf(state, mine()[i], source);
+    x.centre = centreOf(state, number, source);
     const scalar* at = state.cdata() + 3;
     const auto read = [&]()
     {
@@ -154,7 +146,7 @@ void Foam::rigidGroup::setState(const label i, const scalarList& state,
     const label before = (state.size() - 18) / 6;
     if (before != markers_.size())
     {
-        if (mine()[i] == 0)
+        if (number == 0)
         {
             Info << "Group " << name() << ": " << markers_.size()
                  << " markers a body, before " << before

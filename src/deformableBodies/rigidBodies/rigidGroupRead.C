@@ -3,7 +3,7 @@
 #include "rigidGroup.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
-#include "judgedRatio.H"
+#include "rangeCheck.H"
 #include "mathematicalConstants.H"
 #include "patchOrder.H"
 #include "rigidReport.H"
@@ -42,6 +42,11 @@ Foam::rigidGroup::rigidGroup(const word& name, const dictionary& dict,
       h_(std::cbrt(scene.grid.cellVolume())),
       report_(new rigidReport(*this))
 {
+    forcing_ = forcingType::ofSurfaces;
+    const vector& semiAxes = shape_.semiAxes();
+    madeWith_ = {{"semiAxisX", semiAxes.x()},
+                 {"semiAxisY", semiAxes.y()},
+                 {"semiAxisZ", semiAxes.z()}};
     const groupEntries entries(this->name(), dict, scene_);
     checkEntries(dict,
                  withCoeffs(dict,

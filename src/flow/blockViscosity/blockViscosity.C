@@ -17,8 +17,8 @@ void Foam::blockViscosity::set(const volScalarField& nu, const scalar highest)
         const label sa = block_.stride(g == 0 ? 1 : 0);
         const label sb = block_.stride(g == 2 ? 1 : 2);
         edges_[g].resize(block_.size());
-        const label end = block_.place(block_.box().size);
-        for (label q = block_.place(0, 0, 0); q <= end; ++q)
+        const label end = block_.index(block_.box().size);
+        for (label q = block_.index(0, 0, 0); q <= end; ++q)
         {
             edges_[g][q] = 4 / (1 / cells_[q] + 1 / cells_[q - sa] +
                                 1 / cells_[q - sb] + 1 / cells_[q - sa - sb]);

@@ -5,7 +5,7 @@
 #include "dictionaryChecks.H"
 #include "lastStep.H"
 #include "volFields.H"
-#include "writtenObject.H"
+#include "stateObject.H"
 
 namespace
 {
@@ -37,15 +37,15 @@ Foam::explicitScheme::explicitScheme(const uniformGrid& grid,
     if (!(history_.deltaT > 0)) history_.deltaT = mesh.time().deltaTValue();
 
     const auto state = stateOfTime(mesh, "timeScheme");
-    const word before(
-        state ? state->getOrDefault<word>("timeScheme", "AB2") : "AB2");
+    const word before(state ? state->getOrDefault<word>("timeScheme", "AB2")
+                            : "AB2");
     if ((asked_ == "auto" ? before : asked_) == "RK3")
     {
         takeRK3();
         return;
     }
     readTerms();
-    termsFile_.reset(new writtenObject<volVectorField>(
+    termsFile_.reset(new stateObject<volVectorField>(
         termsName(history_.withDiffusion), "", mesh,
         [this](Ostream& os) { writeTerms(os); }));
 }
@@ -110,9 +110,9 @@ void Foam::explicitScheme::choose(const scalar deltaT, const bool adjusted,
 {
     if (asked_ != "auto" || RK3_ || !(rate < GREAT)) return;
     const scalar borne = stable / rate;
-    const scalar gain = adjusted
-                            ? min(deltaT, stableRK3 / rate) / (costRatio * borne)
-                            : deltaT / borne;
+    const scalar gain =
+        adjusted ? min(deltaT, stableRK3 / rate) / (costRatio * borne)
+                 : deltaT / borne;
     if (!(gain > 1)) return;
     takeRK3();
     Info << "Time scheme: RK3, as AB2 bears steps up to " << Foam::name(borne)
@@ -127,7 +127,7 @@ void Foam::explicitScheme::takeRK3()
     termsFile_.reset();
     if (asked_ == "auto")
     {
-        nameFile_.reset(new writtenObject<IOdictionary>(
+        nameFile_.reset(new stateObject<IOdictionary>(
             "timeScheme", "uniform", mesh_,
             [](Ostream& os) { os.writeEntry("timeScheme", "RK3"); }));
     }

@@ -17,7 +17,7 @@ Foam::scalar Foam::fieldExchange::level(const array& pressure) const
 {
     if (!hasReference_) return 0;
     const scalar local =
-        referenceCell_ < 0 ? 0 : pressure[block_.placeOf(referenceCell_)];
+        referenceCell_ < 0 ? 0 : pressure[block_.indexOf(referenceCell_)];
     return referenceValue_ - returnReduce(local, sumOp<scalar>());
 }
 
@@ -25,7 +25,7 @@ void Foam::fieldExchange::velocityFromFlux(componentArrays& u) const
 {
     grid_.lowerFaces(phi_,
                      [&](const label celli, const direction d, const scalar x)
-                     { u[d][block_.placeOf(celli)] = x; });
+                     { u[d][block_.indexOf(celli)] = x; });
 }
 
 template<class Visit>
@@ -34,7 +34,7 @@ void Foam::fieldExchange::averages(const componentArrays& u, Visit visit) const
     const UList<scalar> x[3] = {u[0], u[1], u[2]};
     forAll(grid_.index(), celli)
     {
-        const label q = block_.placeOf(celli);
+        const label q = block_.indexOf(celli);
         vector mean;
         for (direction d = 0; d < 3; ++d)
         {
@@ -52,7 +52,7 @@ void Foam::fieldExchange::read(componentArrays& u, array& pressure) const
 
 void Foam::fieldExchange::fill(const componentArrays& u, const array& pressure)
 {
-    grid_.toFlux(staggeredView(u, block_.place(0, 0, 0), block_.stride(1),
+    grid_.toFlux(staggeredView(u, block_.index(0, 0, 0), block_.stride(1),
                                block_.stride(2)),
                  phi_);
     averages(u,
@@ -87,10 +87,9 @@ bool Foam::fieldExchange::takeOver(componentArrays& u, array& pressure)
                  }
              });
     grid_.lowerFaces(phi_,
-                     [&](const label celli, const direction d, const scalar x)
-                     {
-                         change.y() = max(
-                             change.y(), mag(x - u[d][block_.placeOf(celli)]));
+                     [&](const label celli, const direction d, const scalar x) {
+                         change.y() = max(change.y(),
+                                          mag(x - u[d][block_.indexOf(celli)]));
                      });
     size.y() = size.x();
     reduce(change, maxOp<vector>());
@@ -114,7 +113,7 @@ bool Foam::fieldExchange::takeOver(componentArrays& u, array& pressure)
     else if (U)
     {
         addCells(dU, 1,
-                 staggeredTarget(u, block_.place(0, 0, 0), block_.stride(1),
+                 staggeredTarget(u, block_.index(0, 0, 0), block_.stride(1),
                                  block_.stride(2)));
     }
     if (p)
@@ -139,7 +138,7 @@ void Foam::fieldExchange::addCells(const vectorField& cells,
         {
             for (label j = 0; j < n.y(); ++j)
             {
-                const double* c = work.data() + block_.place(0, j, k);
+                const double* c = work.data() + block_.index(0, j, k);
                 double* x = to.first[d] + j * to.row + k * to.layer;
                 for (label i = 0; i < n.x(); ++i)
                 {

@@ -41,14 +41,14 @@ Foam::string Foam::flowAlgorithm::obstacle(const volVectorField& U,
     const string models(
         known ? ""
               : "staggered supports laminar flow with transportModel Newtonian "
-              "or prescribed only; turbulence is " +
+                "or prescribed only; turbulence is " +
                     turbulence + ", transportModel " + transport);
     const string mesh(unsupported(uniformGrid::New(U.mesh())));
-    const string conditions(
-        mesh.empty() ? wallConditions::unsupported(U, p) : mesh);
+    const string conditions(mesh.empty() ? wallConditions::unsupported(U, p)
+                                         : mesh);
     string all;
-    for (const string& one : {conditions, models,
-                              flowSources::unsupported(sources, U)})
+    for (const string& one :
+         {conditions, models, flowSources::unsupported(sources, U)})
     {
         if (!one.empty()) all += (all.empty() ? "" : "; ") + one;
     }
@@ -76,7 +76,7 @@ Foam::flowAlgorithm::effects(const bool flows) const
     return List<effect>(all);
 }
 
-void Foam::flowAlgorithm::declare(effectLedger& ledger, const bool flows) const
+void Foam::flowAlgorithm::declare(effectTable& ledger, const bool flows) const
 {
     for (const effect& e : effects(flows))
     {
@@ -104,7 +104,7 @@ void Foam::flowAlgorithm::requireBlocks(const fvMesh& mesh,
     const bool whole = grid.index().size() == grid.box().count();
     if (returnReduce(whole && grid.index().size(), andOp<bool>())) return;
 
-    firstRankSpeaks();
+    waitForMaster();
     FatalIOErrorInFunction(controls)
         << "only the decomposition keeps this case from the flow algorithm "
         << "staggered: the cells of a rank must be one rectangular block" << nl

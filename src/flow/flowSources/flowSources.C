@@ -5,7 +5,7 @@
 #include "dictionaryChecks.H"
 #include "fvMatrices.H"
 #include "resultFile.H"
-#include "writtenObject.H"
+#include "stateObject.H"
 
 namespace
 {
@@ -174,7 +174,7 @@ Foam::string Foam::flowSources::unsupported(const fv::optionList& options,
 }
 
 Foam::flowSources::flowSources(fv::optionList& options, volVectorField& U,
-                               staggeredFlow& flow, effectLedger& effects)
+                               staggeredFlow& flow, effectTable& effects)
     : U_(U),
       flow_(flow),
       effects_(effects)
@@ -198,7 +198,7 @@ Foam::flowSources::flowSources(fv::optionList& options, volVectorField& U,
                 gradient_ = before->get<scalar>("gradient");
                 wasHeld_ = before->getOrDefault<bool>("held", true);
             }
-            state_.reset(new writtenObject<IOdictionary>(
+            state_.reset(new stateObject<IOdictionary>(
                 name, "uniform", U.mesh(),
                 [this](Ostream& os)
                 {
@@ -247,15 +247,15 @@ void Foam::flowSources::add()
         const fvVectorMatrix eqn(matrixOf(*o, U_));
         if (isImplicit(eqn))
         {
-            firstRankSpeaks();
+            waitForMaster();
             FatalIOErrorInFunction(o->coeffs())
                 << "fvOption " << o->name() << " has an implicit part, which "
                 << "the staggered algorithm does not know; use flowAlgorithm "
                 << "pimple" << exit(FatalIOError);
         }
-        flow_.fields().addCells(
-            eqn.source(), -1 / uniformGrid::New(U_.mesh()).cellVolume(),
-            flow_.force());
+        flow_.fields().addCells(eqn.source(),
+                                -1 / uniformGrid::New(U_.mesh()).cellVolume(),
+                                flow_.force());
     }
 }
 

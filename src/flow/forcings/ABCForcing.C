@@ -22,7 +22,7 @@ Foam::fv::ABCForcing::ABCForcing(const word& name, const word& modelType,
     const vector L(grid_.length());
     if (cmptMax(L) - cmptMin(L) > 1e-6 * cmptMax(L))
     {
-        firstRankSpeaks();
+        waitForMaster();
         FatalIOErrorInFunction(dict_)
             << modelType << " needs a cube, but the box measures " << L
             << exit(FatalIOError);

@@ -4,7 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
-#include "writtenObject.H"
+#include "stateObject.H"
 
 namespace Foam
 {
@@ -87,7 +87,7 @@ Foam::fv::EswaranPopeForcing::EswaranPopeForcing(const word& name,
         os.writeEntry("steps", steps_);
         values.writeEntry("values", os);
     };
-    state_.reset(new writtenObject<IOdictionary>(name, "uniform", mesh, write));
+    state_.reset(new stateObject<IOdictionary>(name, "uniform", mesh, write));
     project();
 }
 

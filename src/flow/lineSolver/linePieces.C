@@ -94,15 +94,15 @@ Foam::cellBox Foam::lineSolver::deal(const uniformGrid& grid,
     };
 
     const cellBox& from = grid.box();
-    DynamicList<label> rank, place, source;
+    DynamicList<label> rank, target, source;
     from.cells(
         [&](const label i, const labelVector& c)
         {
             rank.append(((c[across] + 1) * ranks - 1) / n);
-            place.append(linesOf(rank.last()).index(c));
+            target.append(linesOf(rank.last()).index(c));
             source.append(i);
         });
-    toLines_.reset(new indexExchange(rank, place, source));
+    toLines_.reset(new indexExchange(rank, target, source));
 
     const cellBox mine(linesOf(Pstream::myProcNo()));
     whole_.resize(mine.nPlaces());
@@ -133,17 +133,17 @@ Foam::lineSolver::lineSolver(const uniformGrid& grid, const direction dir,
     if (returnReduce(nPieces, maxOp<label>()) == 1) return;
 
     allEnds_.resize(2 * nLines * nPieces);
-    labelList rank(allEnds_.size()), place(rank.size()), source(rank.size());
+    labelList rank(allEnds_.size()), target(rank.size()), source(rank.size());
     for (label p = 0, k = 0; p < nPieces; ++p)
     {
         for (label i = 0; i < 2 * nLines; ++i, ++k)
         {
             rank[k] = pieces[p].second;
-            place[k] = 2 * nLines * mine_ + i;
+            target[k] = 2 * nLines * mine_ + i;
             source[k] = i;
         }
     }
-    exchange_.reset(new indexExchange(rank, place, source));
+    exchange_.reset(new indexExchange(rank, target, source));
 }
 
 void Foam::lineSolver::factorise(const double beta)

@@ -7,12 +7,12 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
                                    surfaceScalarField& phi,
                                    const volScalarField& nu,
                                    const dictionary& controls,
-                                   effectLedger& effects, const bool bodies)
+                                   effectTable& effects, const bool bodies)
     : grid_(uniformGrid::New(U.mesh())),
       block_(grid_),
       effects_(effects),
       convection_(controls.getOrDefault<bool>("convection", true)),
-      poisson_(grid_, sidesOf(grid_), block_.places()),
+      poisson_(grid_, sidesOf(grid_), block_.indices()),
       scheme_(grid_, U.mesh(), controls),
       diffusion_(grid_, controls, bodies, scheme_.withDiffusion()),
       nu_(block_),
@@ -83,7 +83,7 @@ void Foam::staggeredFlow::setViscosity(const volScalarField& nu,
 
 Foam::staggeredView Foam::staggeredFlow::velocity() const
 {
-    return staggeredView(u_, block_.place(0, 0, 0), block_.stride(1),
+    return staggeredView(u_, block_.index(0, 0, 0), block_.stride(1),
                          block_.stride(2));
 }
 
@@ -139,9 +139,8 @@ Foam::scalar Foam::staggeredFlow::CourantNo(const scalar dt) const
 
 Foam::scalar Foam::staggeredFlow::stableCourantNo() const
 {
-    return convection_
-               ? scheme_.stableCourantNo(rates_.largest(u_), nu_.min())
-               : GREAT;
+    return convection_ ? scheme_.stableCourantNo(rates_.largest(u_), nu_.min())
+                       : GREAT;
 }
 
 void Foam::staggeredFlow::chooseTimeScheme(const scalar deltaT,

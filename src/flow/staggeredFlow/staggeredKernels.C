@@ -136,7 +136,7 @@ Foam::velocityPrediction Foam::staggeredFlow::prediction()
         false};
     if (addsAtOnce())
     {
-        p.force.append(staggeredTarget(u_, block_.place(0, 0, 0),
+        p.force.append(staggeredTarget(u_, block_.index(0, 0, 0),
                                        block_.stride(1), block_.stride(2), dt));
     }
     else

@@ -92,7 +92,7 @@ void Foam::wallConditions::begin()
     }
     const string reason(read(U_, end_));
     if (reason.empty()) return;
-    firstRankSpeaks();
+    waitForMaster();
     FatalIOErrorInFunction(controls_)
         << "flowAlgorithm staggered cannot go on at time "
         << U_.time().timeName() << ": " << reason.c_str()

@@ -10,9 +10,9 @@ Foam::markerSet::markerSet(const uniformGrid& grid, const deltaKernel& kernel,
 {
 }
 
-void Foam::markerSet::place(const vectorField& X)
+void Foam::markerSet::setPositions(const vectorField& X)
 {
-    copies_.place(X, label(kernel_.reach() + 1));
+    copies_.route(X, label(kernel_.reach() + 1));
     sort();
 }
 

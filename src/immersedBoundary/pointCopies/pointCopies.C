@@ -23,7 +23,7 @@ void ofNumbers(const label n, Act act)
 }
 } // namespace
 
-void Foam::pointCopies::place(const UList<vector>& X, const label margin)
+void Foam::pointCopies::route(const UList<vector>& X, const label margin)
 {
     nOwn_ = X.size();
     if (!Pstream::parRun())

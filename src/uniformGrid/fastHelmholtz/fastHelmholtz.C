@@ -11,9 +11,9 @@ defineTypeNameAndDebug(fastHelmholtzCache, 0);
 
 Foam::fastHelmholtz::fastHelmholtz(const uniformGrid& grid,
                                    const FixedList<sideConditions, 3>& sides,
-                                   const labelUList& places)
+                                   const labelUList& indices)
     : sides_(sides),
-      transform_(grid, sides, places),
+      transform_(grid, sides, indices),
       pieces_(transform_, sides[transform_.third].periodic),
       work_((2 * transform_.nPlanes + 3) * transform_.rowLength, 0),
       eigenOfFirst_(transform_.eigenFast)

@@ -6,11 +6,11 @@ Foam::haloBlock::haloBlock(const uniformGrid& grid)
     : grid_(grid),
       box_(grid.box()),
       stride_(strides(box_.size)),
-      places_(grid.index().size())
+      indices_(grid.index().size())
 {
-    forAll(places_, celli)
+    forAll(indices_, celli)
     {
-        places_[celli] = place(grid.ijk(celli) - box_.lo);
+        indices_[celli] = index(grid.ijk(celli) - box_.lo);
     }
 
     const List<cellBox> boxes(grid.allBoxes());
@@ -29,8 +29,8 @@ Foam::haloBlock::haloBlock(const uniformGrid& grid)
             const cellBox& b = boxes[proci];
             if (!b.contains(c)) continue;
             rank.append(proci);
-            theirs.append(place(strides(b.size), c - b.lo));
-            ours.append(place(local));
+            theirs.append(index(strides(b.size), c - b.lo));
+            ours.append(index(local));
             break;
         }
     };

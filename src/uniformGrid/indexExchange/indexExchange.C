@@ -53,18 +53,18 @@ void Foam::indexExchange::divide(const labelUList& a, const labelUList& b,
 }
 
 Foam::List<Foam::indexExchange::run>
-Foam::indexExchange::runs(const labelUList& places)
+Foam::indexExchange::runs(const labelUList& targets)
 {
     DynamicList<run> all;
-    divide(places, places, [&](const run& r, const run&) { all.append(r); });
+    divide(targets, targets, [&](const run& r, const run&) { all.append(r); });
     return List<run>(std::move(all));
 }
 
 void Foam::indexExchange::keep(const labelUList& sources,
-                               const labelUList& places)
+                               const labelUList& targets)
 {
     DynamicList<run> from, to;
-    divide(sources, places,
+    divide(sources, targets,
            [&](const run& s, const run& t)
            {
                from.append(s);
@@ -75,7 +75,7 @@ void Foam::indexExchange::keep(const labelUList& sources,
 }
 
 Foam::indexExchange::indexExchange(const labelUList& rank,
-                                   const labelUList& place,
+                                   const labelUList& target,
                                    const labelUList& source)
 {
     const label me = Pstream::myProcNo();
@@ -84,30 +84,30 @@ Foam::indexExchange::indexExchange(const labelUList& rank,
     {
         ++count[rank[i]];
     }
-    List<labelList> sources(Pstream::nProcs()), places(Pstream::nProcs());
+    List<labelList> sources(Pstream::nProcs()), targets(Pstream::nProcs());
     forAll(count, proci)
     {
         sources[proci].setSize(count[proci]);
-        places[proci].setSize(count[proci]);
+        targets[proci].setSize(count[proci]);
     }
     count = 0;
     forAll(rank, i)
     {
         const label k = count[rank[i]]++;
         sources[rank[i]][k] = source.size() ? source[i] : i;
-        places[rank[i]][k] = place[i];
+        targets[rank[i]][k] = target[i];
     }
 
-    keep(sources[me], places[me]);
+    keep(sources[me], targets[me]);
     if (!Pstream::parRun()) return;
 
     PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-    forAll(places, proci)
+    forAll(targets, proci)
     {
-        if (proci != me && places[proci].size())
+        if (proci != me && targets[proci].size())
         {
             UOPstream os(proci, buffers);
-            os << places[proci];
+            os << targets[proci];
         }
     }
     labelList sizes;

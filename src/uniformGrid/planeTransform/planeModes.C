@@ -47,8 +47,8 @@ void Foam::planeTransform::makePlans(const sideConditions& slowSides,
     const int row = rowOfValues();
     if (!complexModes)
     {
-        const auto plan = [&](const fftw_r2r_kind slowKind,
-                              const fftw_r2r_kind fastKind)
+        const auto plan =
+            [&](const fftw_r2r_kind slowKind, const fftw_r2r_kind fastKind)
         {
             const int n[2] = {ns, nf}, rows[2] = {ns, row};
             const fftw_r2r_kind kinds[2] = {slowKind, fastKind};
@@ -135,11 +135,10 @@ void Foam::planeTransform::makeLines()
     const int n[1] = {int(nThird)};
     const int number = dealtTo(Pstream::myProcNo()).n * rowLength;
     thirdStride_ = Pstream::parRun() ? number : planeSize_;
-    plans_->lines =
-        Pstream::parRun() ? zeros(nThird * number) : plans_->planes;
+    plans_->lines = Pstream::parRun() ? zeros(nThird * number) : plans_->planes;
     if (Pstream::parRun())
     {
-        DynamicList<label> rank, place, source;
+        DynamicList<label> rank, target, source;
         for (label k = 0; k < nPlanes; ++k)
         {
             for (label to = 0; to < Pstream::nProcs(); ++to)
@@ -149,21 +148,20 @@ void Foam::planeTransform::makeLines()
                 for (label i = 0; i < each; ++i)
                 {
                     rank.append(to);
-                    place.append((firstPlane + k) * each + i);
-                    source.append(k * planeSize_ + dealt.first * rowLength +
-                                  i);
+                    target.append((firstPlane + k) * each + i);
+                    source.append(k * planeSize_ + dealt.first * rowLength + i);
                 }
             }
         }
-        toLines_.reset(new indexExchange(rank, place, source));
+        toLines_.reset(new indexExchange(rank, target, source));
     }
     const fftw_r2r_kind kind[1] = {FFTW_R2HC};
     double* r = plans_->lines;
     if (number)
     {
-        plans_->third = fftw_plan_many_r2r(
-            1, n, number, r, nullptr, thirdStride_, 1, r, nullptr,
-            thirdStride_, 1, kind, FFTW_ESTIMATE);
+        plans_->third =
+            fftw_plan_many_r2r(1, n, number, r, nullptr, thirdStride_, 1, r,
+                               nullptr, thirdStride_, 1, kind, FFTW_ESTIMATE);
     }
 }
 

@@ -83,7 +83,7 @@ Foam::direction Foam::planeTransform::swept(const labelVector& n,
 
 Foam::planeTransform::planeTransform(const uniformGrid& grid,
                                      const FixedList<sideConditions, 3>& sides,
-                                     const labelUList& places)
+                                     const labelUList& indices)
     : plans_(new plans)
 {
     const List<labelVector> cells(grid.cells());
@@ -100,7 +100,7 @@ Foam::planeTransform::planeTransform(const uniformGrid& grid,
     firstPlane = firstOf(nThird, me);
     nPlanes = firstOf(nThird, me + 1) - firstPlane;
     plans_->planes = zeros(nPlanes * planeSize_);
-    makeExchange(cells, places);
+    makeExchange(cells, indices);
     makePlans(sides[slow], sides[fast]);
 }
 
@@ -133,29 +133,29 @@ void Foam::planeTransform::setDirections(
 // that stay on this rank move plane by plane unless the planes lie across the rows of
 // memory
 void Foam::planeTransform::makeExchange(const List<labelVector>& cells,
-                                        const labelUList& places)
+                                        const labelUList& indices)
 {
     const label me = Pstream::myProcNo();
-    std::vector<DynamicList<label>> ownSource(nPlanes), ownPlace(nPlanes);
-    DynamicList<label> rank, place, source;
+    std::vector<DynamicList<label>> ownSource(nPlanes), ownTarget(nPlanes);
+    DynamicList<label> rank, target, source;
     forAll(cells, celli)
     {
         const labelVector& c = cells[celli];
         const label to = rankOf(nThird, c[third]);
         const label plane = c[third] - firstOf(nThird, to);
         const bool own = to == me && third != 0;
-        const label from = places.size() ? places[celli] : celli;
+        const label from = indices.size() ? indices[celli] : celli;
         const label position =
             c[fast] + rowOfValues() * c[slow] + (own ? 0 : planeSize_ * plane);
         if (!own) rank.append(to);
         (own ? ownSource[plane] : source).append(from);
-        (own ? ownPlace[plane] : place).append(position);
+        (own ? ownTarget[plane] : target).append(position);
     }
-    toPlanes_.reset(new indexExchange(rank, place, source));
+    toPlanes_.reset(new indexExchange(rank, target, source));
     toPlane_.resize(nPlanes);
     for (label p = 0; p < nPlanes; ++p)
     {
-        toPlane_[p].keep(ownSource[p], ownPlace[p]);
+        toPlane_[p].keep(ownSource[p], ownTarget[p]);
     }
 }
 

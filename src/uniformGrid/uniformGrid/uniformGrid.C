@@ -151,7 +151,7 @@ void Foam::uniformGrid::require(const dictionary& dict, const string& who) const
 {
     if (!valid())
     {
-        firstRankSpeaks();
+        waitForMaster();
         FatalIOErrorInFunction(dict)
             << who.c_str() << " needs a mesh that is one box of equal "
             << "hexahedra along the axes, but " << reason_.c_str()
@@ -166,7 +166,7 @@ void Foam::uniformGrid::requirePeriodic(const dictionary& dict,
     for (direction d = 0; d < 3; ++d)
     {
         if (periodic_[d]) continue;
-        firstRankSpeaks();
+        waitForMaster();
         FatalIOErrorInFunction(dict)
             << who.c_str() << " needs a box that is periodic in all "
             << "directions, but " << vector::componentNames[d] << " is not"
@@ -193,8 +193,8 @@ void Foam::uniformGrid::toFlux(const staggeredView& u,
         const label celli = cellAbove(facei);
         if (celli < 0) return 0.0;
         const direction d = faceDirection(facei);
-        const label place = u.place(ijk(celli) - box_.lo);
-        const scalar value = faceArea(d) * (u.factor * u.first[d][place]);
+        const label index = u.index(ijk(celli) - box_.lo);
+        const scalar value = faceArea(d) * (u.factor * u.first[d][index]);
         return lowerSide(facei) ? -value : value;
     };
     forAll(flux, facei)

@@ -8,7 +8,7 @@ using namespace Foam;
 
 namespace
 {
-std::size_t placeOf(const void* p)
+std::size_t indexOf(const void* p)
 {
     return reinterpret_cast<std::uintptr_t>(p);
 }
@@ -18,7 +18,7 @@ TEST(AlignedVector, beginsWithALineOfTheCache)
 {
     for (const label n : {1, 3, 100, 4097})
     {
-        EXPECT_EQ(placeOf(alignedVector<scalar>(n).data()) % 64, 0u);
+        EXPECT_EQ(indexOf(alignedVector<scalar>(n).data()) % 64, 0u);
     }
 }
 
@@ -51,8 +51,8 @@ TEST(ComponentArrays, componentsAreNoMultipleOf4kBApart)
     for (const label n : {512, 4096, 32768})
     {
         const componentArrays a(n);
-        const std::size_t apart = placeOf(a[1].cdata()) - placeOf(a[0].cdata());
+        const std::size_t apart = indexOf(a[1].cdata()) - indexOf(a[0].cdata());
         EXPECT_EQ(apart % 4096, 176 * sizeof(scalar));
-        EXPECT_EQ(apart, placeOf(a[2].cdata()) - placeOf(a[1].cdata()));
+        EXPECT_EQ(apart, indexOf(a[2].cdata()) - indexOf(a[1].cdata()));
     }
 }

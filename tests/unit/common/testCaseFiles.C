@@ -16,7 +16,7 @@ std::string refused(const std::string& text)
     const fileName file(time.globalPath() / time.constant() / "caseFile");
     test::writeText(file, text);
     const std::string message(
-        test::refusal([&] { requireNothingThere(io, "dictionary"); }));
+        test::refusal([&] { refuseUnreadable(io, "dictionary"); }));
     if (Pstream::master()) rm(file);
     return message;
 }
@@ -57,21 +57,20 @@ TEST(CaseFiles, whatCannotBeReadIsSaid)
 TEST(CaseFiles, nothingIsNoError)
 {
     const IOobject io("notThere", test::mesh().time().constant(), test::mesh());
-    EXPECT_EQ(test::refusal([&] { requireNothingThere(io, "dictionary"); }),
-              "");
+    EXPECT_EQ(test::refusal([&] { refuseUnreadable(io, "dictionary"); }), "");
 }
 
 TEST(CaseFiles, namesInOtherLetterCaseAreFound)
 {
     const Time& time = test::mesh().time();
     const IOobject io("deformableBodies", time.constant(), test::mesh());
-    EXPECT_EQ(misplacedFile(io), "");
+    EXPECT_EQ(fileInOtherCase(io), "");
     for (const fileName name :
          {"constant/DeformableBodies", "system/deformableBodies"})
     {
         const fileName file(time.globalPath() / name);
         test::writeText(file, "a 1;");
-        EXPECT_EQ(misplacedFile(io), file);
+        EXPECT_EQ(fileInOtherCase(io), file);
         if (Pstream::master()) rm(file);
     }
 }

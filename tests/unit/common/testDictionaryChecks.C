@@ -70,7 +70,7 @@ TEST(DictionaryChecks, aValueIsNoDictionary)
     EXPECT_TRUE(
         refuses([&] { readDict(dict, "a", "c 1;"); },
                 "has the value 1 allowed: a dictionary, such as a { c 1; }"));
-    EXPECT_TRUE(readDictIfThere(dict, "d", "c 1;").empty());
+    EXPECT_TRUE(readDictIfPresent(dict, "d", "c 1;").empty());
 }
 
 TEST(DictionaryChecks, wordsAreThoseAllowed)

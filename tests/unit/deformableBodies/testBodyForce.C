@@ -20,9 +20,9 @@ bodyPoints thread()
                  0.5,
                  1};
     p.lengths.first() = p.lengths.last() = 1;
-    forAll(p.places, i)
+    forAll(p.positions, i)
     {
-        p.places[i] = vector(i, i, 0);
+        p.positions[i] = vector(i, i, 0);
     }
     return p;
 }
@@ -44,7 +44,7 @@ bodyPoints cube()
         {
             vector n(Zero);
             n[d] = 2 * side - 1;
-            p.places[2 * d + side] = vector(5, 0, 0) + n;
+            p.positions[2 * d + side] = vector(5, 0, 0) + n;
             p.areas[2 * d + side] = 4 * n;
         }
     }
@@ -55,7 +55,7 @@ vectorField on(const bodyPoints& body, const char* entries)
 {
     IStringStream is(entries);
     const dictionary dict(is);
-    vectorField F(body.places.size(), Zero);
+    vectorField F(body.positions.size(), Zero);
     bodyForce::New(dict, body)->add(body, 0.5, F);
     return F;
 }

@@ -22,14 +22,14 @@ TEST(Filament, nonlinearSwing)
         [&](const filament& f, const scalar t)
         {
             length = max(length, f.lengthError());
-            const boundBox box(f.places(), false), rough(f.roughBounds());
+            const boundBox box(f.positions(), false), rough(f.roughBounds());
             outside = max(outside, cmptMax(rough.min() - box.min()));
             outside = max(outside, cmptMax(box.max() - rough.max()));
             for (const auto& r : reference)
             {
                 if (mag(t - r.first) < 0.5 * dt)
                 {
-                    largest = max(largest, mag(f.places()[64].y() - r.second));
+                    largest = max(largest, mag(f.positions()[64].y() - r.second));
                 }
             }
         });
@@ -94,7 +94,7 @@ TEST(Filament, vibrations)
             run(x, dt, 2000, Zero,
                 [&](const filament& f, const scalar t)
                 {
-                    const scalar y = f.places()[N].y();
+                    const scalar y = f.positions()[N].y();
                     if (y * before < 0)
                     {
                         last = t - dt * y / (y - before);
@@ -123,13 +123,13 @@ TEST(Filament, flutter)
         filament x(p, Zero, vector(1, 0, 0));
         const scalarField c(N + 1, 1);
         const vectorField U(N + 1, Zero);
-        vectorField f(N + 1, Zero), before(x.places());
+        vectorField f(N + 1, Zero), before(x.positions());
         auto all(around(x, f, c, U));
         scalar early = 0, late = 0;
         for (label step = 1; step <= 8000; ++step)
         {
             // Load along the shape extrapolated to the end of the step
-            const vectorField ahead(2.0 * x.places() - before);
+            const vectorField ahead(2.0 * x.positions() - before);
             for (label i = 0; i <= N; ++i)
             {
                 const vector t(ahead[min(i + 1, N)] -
@@ -137,10 +137,10 @@ TEST(Filament, flutter)
                 f[i] = -push * t / mag(t);
             }
             if (step < 20) f[N].y() += 0.1;
-            before = x.places();
+            before = x.positions();
             all.force = f;
             ASSERT_TRUE(x.step(2e-4, all));
-            const scalar y = mag(x.places()[N].y());
+            const scalar y = mag(x.positions()[N].y());
             if (step > 2000 && step <= 5000) early = max(early, y);
             if (step > 5000) late = max(late, y);
         }
@@ -213,9 +213,9 @@ TEST(Filament, baseMotion)
         const vector base(-0.5 * sqr(n * dt) * g);
         pulled.moveEnd(0, base);
         ASSERT_TRUE(hanging.step(dt, heavy) && pulled.step(dt, light));
-        EXPECT_LT(mag(pulled.places()[0] - base), 1e-14);
+        EXPECT_LT(mag(pulled.positions()[0] - base), 1e-14);
         worst =
-            max(worst, mag(pulled.places()[N] - base - hanging.places()[N]));
+            max(worst, mag(pulled.positions()[N] - base - hanging.positions()[N]));
     }
     test::expectBelow("tip against the same under gravity [lengths]", worst,
                       5e-3);

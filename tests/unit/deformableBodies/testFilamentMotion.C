@@ -138,7 +138,7 @@ TEST(Filament, togetherAsOneByOne)
             ASSERT_TRUE(advanced[i]);
             ASSERT_TRUE(alone[i].step(0.7, all[i]));
             apart =
-                max(apart, max(mag(alone[i].places() - together[i].places())));
+                max(apart, max(mag(alone[i].positions() - together[i].positions())));
             most = max(most, together[i].iterations());
         }
     }
@@ -162,7 +162,7 @@ TEST(Filament, keepsItsAmplitude)
         run(x, dt, label(20 * period / dt), vector(-10, 0, 0),
             [&](const filament& f, const scalar t)
             {
-                const scalar y2 = sqr(f.places()[32].y());
+                const scalar y2 = sqr(f.positions()[32].y());
                 if (t < 2 * period) early += y2;
                 if (t > 18 * period) late += y2;
             });

@@ -42,7 +42,7 @@ class StabilisedMotion : public ::testing::Test
 protected:
     const sphericalHarmonics grid{N, 3 * N / 2 + 1};
     const numbers x = roughShape(N);
-    effectLedger effects{mesh().time(), "stabilisedMotion"};
+    effectTable effects{mesh().time(), "stabilisedMotion"};
 
     void SetUp() { effects.declare("stabilised", true, "test"); }
 
@@ -60,10 +60,7 @@ protected:
         return made;
     }
 
-    double volume(const numbers& y)
-    {
-        return shell(1).measure(y).volume;
-    }
+    double volume(const numbers& y) { return shell(1).measure(y).volume; }
 
     //- base after a step from x with a tension; volume: of the first shape
     numbers moved(const double tension, const numbers& previous, numbers base,

@@ -58,7 +58,7 @@ TEST(ThicknessCouple, doesNotFeelItself)
             auto flow = b.flow("convection off; diffusion FFT;");
             blockNeighbours neighbours(grid);
             markerSet markers(grid, kernel, neighbours);
-            markers.place(at);
+            markers.setPositions(at);
             markers.spread(F, flow->force());
             step(*flow, 1e8 * sqr(h) / mu);
             markers.interpolate({flow->velocity()}, U);

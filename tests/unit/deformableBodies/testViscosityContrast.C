@@ -52,7 +52,7 @@ TEST(ViscosityContrast, levelsVolumeAndRange)
 
     blockNeighbours neighbours(grid);
     markerSet markers(grid, deltaKernel(deltaKernel::Roma3), neighbours);
-    markers.place(X);
+    markers.setPositions(X);
     const viscosityContrast contrast(mesh, 2, scalarList({5, 0.5}));
     staggeredField work(grid.box());
     contrast.update(markers, G, excess, work);

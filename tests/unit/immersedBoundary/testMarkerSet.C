@@ -83,7 +83,7 @@ TEST_P(MarkerSet, interpolationIsTheAdjointOfSpreading)
          [](const point& p, const direction d) { return test::noise(p, d); });
 
     vectorField U;
-    markers.place(X);
+    markers.setPositions(X);
     markers.interpolate({u}, U);
     markers.spread(F, f);
 
@@ -106,7 +106,7 @@ TEST_P(MarkerSet, interpolatesAsTheKernelSays)
     fill(u,
          [](const point& p, const direction d) { return test::noise(p, d); });
     vectorField U;
-    markers.place(X);
+    markers.setPositions(X);
     markers.interpolate({u}, U);
 
     scalar error = 0;
@@ -157,7 +157,7 @@ TEST_P(MarkerSet, findsVelocitiesInOneSweepWithForces)
          [](const point& p, const direction d) { return test::noise(p, d); });
     g = f;
     vectorField U, V;
-    markers.place(X);
+    markers.setPositions(X);
     markers.spread(F, f);
     markers.interpolate({f}, U);
     markers.spreadAndInterpolate(F, g, {g}, V);
@@ -174,7 +174,7 @@ TEST_P(MarkerSet, conservesForce)
 {
     const vectorField X(randomMarkers(500)), F(randomVectors(500, 5));
     staggeredField f(grid().box());
-    markers.place(X);
+    markers.setPositions(X);
     markers.spread(F, f);
     vector total(Zero);
     for (direction d = 0; d < 3; ++d)
@@ -201,7 +201,7 @@ TEST_P(MarkerSet, interpolatesLinearFieldsExactly)
     fill(u, [&](const point& p, const direction d)
          { return 0.3 + (d + 1) * (slope & p); });
     vectorField U;
-    markers.place(X);
+    markers.setPositions(X);
     markers.interpolate({u}, U);
 
     scalar error = 0;
@@ -251,7 +251,7 @@ TEST_P(MarkerSet, countsLinesInOnePlace)
         }
         if (last) put(X.size() - each, 77, start, 1);
 
-        markers.place(X);
+        markers.setPositions(X);
         scalarField density;
         markers.lineDensity(X, line, true, density);
         forAll(X, k)
@@ -281,7 +281,7 @@ TEST_P(MarkerSet, countsALineOnceUnlessItIsFolded)
             const label at = folded && k >= each / 2 ? each - 1 - k : k;
             X[k] = middle + scalar(at) * part;
         }
-        markers.place(X);
+        markers.setPositions(X);
         scalarField density;
         markers.lineDensity(X, labelList(X.size(), 5), true, density);
         if (X.empty()) continue;
@@ -383,7 +383,7 @@ TEST_P(MarkerSet, countsLinesAsAllPairsDo)
         }
     }
 
-    markers.place(X);
+    markers.setPositions(X);
     scalarField density;
     markers.lineDensity(X, line, true, density);
     test::expectBelow("lines at markers, against all pairs",

@@ -57,7 +57,7 @@ protected:
     pointCopies copies{neighbours};
     const vectorField X = ownPoints();
 
-    void SetUp() override { copies.place(X, 2); }
+    void SetUp() override { copies.route(X, 2); }
 };
 
 TEST_F(PointCopies, ofEachPointOneRankHoldsTheCell)

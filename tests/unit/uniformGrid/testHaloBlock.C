@@ -26,7 +26,7 @@ TEST(HaloBlock, fillsItsLayer)
 
     scalarField f(halo.size(), GREAT);
     box.cells([&](const label, const labelVector& c)
-              { f[halo.place(c - box.lo)] = value(c); });
+              { f[halo.index(c - box.lo)] = value(c); });
     halo.update(f.data());
     halo.extend(f.data());
 
@@ -38,7 +38,7 @@ TEST(HaloBlock, fillsItsLayer)
         {
             for (l.x() = -1; l.x() <= box.size.x(); ++l.x())
             {
-                worst = max(worst, mag(f[halo.place(l)] - value(box.lo + l)));
+                worst = max(worst, mag(f[halo.index(l)] - value(box.lo + l)));
             }
         }
     }
@@ -60,7 +60,7 @@ TEST(HaloBlock, fillsFaces)
         box.cells(
             [&](const label, const labelVector& c)
             {
-                all[d][halo.place(c - box.lo)] =
+                all[d][halo.index(c - box.lo)] =
                     noise(vector(c.x(), c.y(), c.z() + 100 * d));
             });
         parts[d] = all[d];
@@ -89,7 +89,7 @@ TEST(HaloBlock, fillsFaces)
                     if (l[d] >= box.size[d]) last = d;
                 }
                 if (under + over == 0) continue;
-                const label q = halo.place(l);
+                const label q = halo.index(l);
                 wrong += below[q] !=
                          (under + over == 1 && under ? all[0][q] : GREAT);
                 for (direction d = 0; d < 3; ++d)

@@ -178,11 +178,11 @@ TEST(MeshMobility, DISABLED_table)
                 vector F(Zero);
                 F[d] = 8 * pi;
                 staggeredField f(grid.box());
-                markers.place(vectorField(1, X));
+                markers.setPositions(vectorField(1, X));
                 markers.spread(vectorField(1, F), f);
                 solve(f, n);
                 vectorField u;
-                markers.place(vectorField(X + r));
+                markers.setPositions(vectorField(X + r));
                 markers.interpolate({staggeredView(f)}, u);
                 forAll(u, i)
                 {

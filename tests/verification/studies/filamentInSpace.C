@@ -30,7 +30,7 @@ TEST(FilamentOrders, pendulumOfModeOne)
         run(x, 5e-4, 8000, vector(-10, 0, 0),
             [&](const filament& f, const scalar t)
             {
-                largest = max(largest, mag(f.places()[N].y() / eps -
+                largest = max(largest, mag(f.positions()[N].y() / eps -
                                            std::cos(omega * t)));
             });
         std::printf("    N = %d: largest relative error %.2e\n", int(N),
@@ -73,7 +73,7 @@ TEST(FilamentOrders, cantilever)
                 ASSERT_TRUE(x.step(0.05, around(x, f, scalarField(N + 1, 10),
                                                 vectorField(N + 1, Zero))));
             }
-            const vector tip(x.places()[N]);
+            const vector tip(x.positions()[N]);
             const scalar error =
                 max(mag(1 - tip.x() - c.dx), mag(-tip.y() - c.dy));
             if (N == 64)

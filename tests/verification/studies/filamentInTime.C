@@ -125,7 +125,7 @@ schemeRun runScheme(const schemeScene& s, const filament::schemeType scheme,
         }
         if (!x.step(dt, all)) break;
         r.length = max(r.length, x.lengthError());
-        if (step % every == 0) r.tip.push_back(x.places()[N]);
+        if (step % every == 0) r.tip.push_back(x.positions()[N]);
     }
     const std::chrono::duration<double> d(std::chrono::steady_clock::now() -
                                           start);
@@ -204,7 +204,7 @@ TEST(FilamentOrders, variableSteps)
         {
             EXPECT_TRUE(x.step(dt * (1 + (n % 2 ? -1 : 1) * wobble), all));
         }
-        return x.places()[N];
+        return x.positions()[N];
     };
     const vector right(tip(1.25e-4, 0));
     const scalar coarse = mag(tip(4e-3, 0.5) - right),

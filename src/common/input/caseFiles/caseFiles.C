@@ -121,7 +121,7 @@ std::string lowerCase(std::string name)
 }
 } // namespace
 
-void Foam::requireNothingThere(const IOobject& io, const word& className)
+void Foam::refuseUnreadable(const IOobject& io, const word& className)
 {
     const Time& time = io.time();
     const fileName found(fileHandler().filePath(true, io, className));
@@ -225,10 +225,10 @@ std::unique_ptr<Foam::IOdictionary> Foam::stateOfTime(const objectRegistry& db,
     const IOobject io(name, db.time().timeName(), "uniform", db,
                       IOobject::MUST_READ, IOobject::NO_WRITE, false);
     return std::unique_ptr<IOdictionary>(
-        isThere<IOdictionary>(io) ? new IOdictionary(io) : nullptr);
+        fileExists<IOdictionary>(io) ? new IOdictionary(io) : nullptr);
 }
 
-Foam::fileName Foam::misplacedFile(const IOobject& io)
+Foam::fileName Foam::fileInOtherCase(const IOobject& io)
 {
     fileName found;
     if (Pstream::master())

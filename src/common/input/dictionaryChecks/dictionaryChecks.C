@@ -5,7 +5,7 @@
 #include "Pstream.H"
 #include <cctype>
 
-void Foam::firstRankSpeaks()
+void Foam::waitForMaster()
 {
     if (Pstream::parRun() && !Pstream::master()) sleep(5);
 }
@@ -16,7 +16,7 @@ void Foam::checkEntries(const dictionary& dict, const wordList& allowed)
     {
         if (!allowed.found(key))
         {
-            firstRankSpeaks();
+            waitForMaster();
             FatalIOErrorInFunction(dict)
                 << "unknown entry " << key << " in " << dict.name() << nl
                 << "    allowed: " << oneOf(allowed).c_str()
@@ -43,7 +43,7 @@ Foam::wordList Foam::withCoeffs(const dictionary& dict, wordList allowed,
 void Foam::refuse(const dictionary& dict, const word& name, const string& value,
                   const string& allowed)
 {
-    firstRankSpeaks();
+    waitForMaster();
     FatalIOErrorInFunction(dict)
         << "entry " << name << " has the value " << value.c_str() << nl
         << "    allowed: " << allowed.c_str() << exit(FatalIOError);
@@ -133,9 +133,9 @@ const Foam::dictionary& Foam::readDict(const dictionary& dict, const word& name,
     return dict.subDict(name);
 }
 
-const Foam::dictionary& Foam::readDictIfThere(const dictionary& dict,
-                                              const word& name,
-                                              const string& example)
+const Foam::dictionary& Foam::readDictIfPresent(const dictionary& dict,
+                                                const word& name,
+                                                const string& example)
 {
     return dict.found(name) ? readDict(dict, name, example) : dictionary::null;
 }

@@ -16,15 +16,15 @@ dictionary dictionaryOf(const Time& time, const word& name)
 } // namespace
 
 Foam::lastStep::lastStep(const Time& time)
-    : writtenObject<IOdictionary>("lastStep", "uniform", time,
-                                  [this](Ostream& os)
-                                  {
-                                      os.precision(17);
-                                      os.writeEntry("deltaT",
-                                                    this->time().deltaTValue());
-                                      if (diverged_.empty()) return;
-                                      os.writeEntry("diverged", diverged_);
-                                  })
+    : stateObject<IOdictionary>("lastStep", "uniform", time,
+                                [this](Ostream& os)
+                                {
+                                    os.precision(17);
+                                    os.writeEntry("deltaT",
+                                                  this->time().deltaTValue());
+                                    if (diverged_.empty()) return;
+                                    os.writeEntry("diverged", diverged_);
+                                })
 {
 }
 

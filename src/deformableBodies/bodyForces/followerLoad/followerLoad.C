@@ -23,7 +23,7 @@ Foam::followerLoad::followerLoad(const dictionary& dict, const bodyPoints& body)
 void Foam::followerLoad::add(const bodyPoints& body, const scalar time,
                              vectorField& F) const
 {
-    const vectorField& X = body.places;
+    const vectorField& X = body.positions;
     const label last = X.size() - 1;
     const scalarField share(at_.shares(body.lengths));
     const scalar force = force_->value(time);

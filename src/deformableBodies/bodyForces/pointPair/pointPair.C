@@ -15,7 +15,7 @@ Foam::pointPair::pointPair(const dictionary& dict, const bodyPoints& body)
     : bodyForce(dict.get<word>("group")),
       force_(Function1<scalar>::New("force", dict)),
       direction_(dict.getOrDefault<vector>("direction", vector(1, 0, 0))),
-      share_(body.places.size(), Zero)
+      share_(body.positions.size(), Zero)
 {
     needSurface(dict, body);
     checkEntries(
@@ -33,7 +33,7 @@ Foam::pointPair::pointPair(const dictionary& dict, const bodyPoints& body)
     }
 
     // Points are taken from either end inwards until the patch has its area
-    const scalarField along(body.places & direction_);
+    const scalarField along(body.positions & direction_);
     const scalarField area(mag(body.areas));
     const labelList order(sortedOrder(along));
     const scalar wanted = patch * sum(area);

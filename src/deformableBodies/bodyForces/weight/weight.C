@@ -30,6 +30,6 @@ void Foam::weight::add(const bodyPoints& body, const scalar,
         F += body.crossSection * body.lengths * excess_;
         return;
     }
-    const vector centre(average(body.places));
-    F += (excess_ & (body.places - centre)) * body.areas;
+    const vector centre(average(body.positions));
+    F += (excess_ & (body.positions - centre)) * body.areas;
 }

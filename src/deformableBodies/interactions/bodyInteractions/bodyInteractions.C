@@ -90,8 +90,8 @@ void Foam::bodyInteractions::compareBoxes()
         forAll(group.mine(), i)
         {
             bodies.push_back({g, i, numbers_.number(g, group.mine()[i]),
-                              mayFold && folded(group.points(i).places), false,
-                              false});
+                              mayFold && folded(group.points(i).positions),
+                              false, false});
             boxes.append(group.bounds(i, false));
         }
     }

@@ -58,7 +58,7 @@ void Foam::bodyInteractions::collectPoints()
         const nearBodies::body& body = bodies[b];
         if (!body.near || isSurface(body.group)) continue;
         const bodyPoints p(groups_[body.group].points(body.local));
-        points_.addLine(b, body.number, p.places, p.velocities,
+        points_.addLine(b, body.number, p.positions, p.velocities,
                         std::sqrt(p.crossSection / constant::mathematical::pi),
                         body.folded);
     }
@@ -174,7 +174,7 @@ void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
             {
                 yield[b] = refCast<const directForcing>(group).freeVelocities(
                     i, U, lineDensity, step, v);
-                points_.moveLine(b, group.points(i).places, v, motions);
+                points_.moveLine(b, group.points(i).positions, v, motions);
             }
             U += group.nMarkers() / n;
             lineDensity += group.nMarkers() / n;

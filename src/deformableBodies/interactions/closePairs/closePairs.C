@@ -53,7 +53,7 @@ void Foam::closePairs::exchangePatches()
     }
     reduce(largest_, maxOp<scalar>());
     const scalarField here(
-        copies_.place(centres, sizes, numbers, nNumbers,
+        copies_.route(centres, sizes, numbers, nNumbers,
                       grid_.layersWithin(range_ + 2 * largest_)));
 
     patches_.clear();

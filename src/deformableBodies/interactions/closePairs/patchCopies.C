@@ -3,7 +3,7 @@
 #include "patchCopies.H"
 #include <algorithm>
 
-Foam::scalarField Foam::patchCopies::place(const UList<vector>& centres,
+Foam::scalarField Foam::patchCopies::route(const UList<vector>& centres,
                                            const labelUList& ownSizes,
                                            const scalarField& numbers,
                                            const label n, const label margin)
@@ -17,7 +17,7 @@ Foam::scalarField Foam::patchCopies::place(const UList<vector>& centres,
         std::copy_n(numbers.begin() + n * i, n, own.begin() + full * i);
         own[full * i + n] = ownSizes[i];
     }
-    copies_.place(centres, margin);
+    copies_.route(centres, margin);
     const scalarField all(copies_.handOut(own.cdata(), full));
     sizes_.setSize(copies_.here().size());
     nHere_ = 0;

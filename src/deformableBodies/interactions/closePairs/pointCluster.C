@@ -6,7 +6,7 @@
 Foam::pointCluster::pointCluster(const label start, const label n,
                                  const label number, const bool folds,
                                  const bool isHeld, const UList<vector>& points,
-                                 const vector* places, const float* radii)
+                                 const vector* positions, const float* radii)
     : first(start),
       size(n),
       body(number),
@@ -33,7 +33,7 @@ Foam::pointCluster::pointCluster(const label start, const label n,
         const label i = min(k, n - 1);
         for (direction d = 0; d < 3; ++d)
         {
-            x[d][k] = places[i][d] - centre[d];
+            x[d][k] = positions[i][d] - centre[d];
         }
         r[k] = radii ? radii[i] : 0;
     }

@@ -2,7 +2,7 @@
 
 #include "contactLaw.H"
 #include "dictionaryChecks.H"
-#include "judgedRatio.H"
+#include "rangeCheck.H"
 #include "mathematicalConstants.H"
 
 Foam::contactLaw::contactLaw(

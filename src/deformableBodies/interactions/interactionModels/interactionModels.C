@@ -5,7 +5,7 @@
 
 Foam::interactionModels::interactionModels(const dictionary& dict,
                                            const interactionScene& scene,
-                                           effectLedger& effects)
+                                           effectTable& effects)
 {
     for (const word& name : dict.toc())
     {
@@ -33,7 +33,7 @@ Foam::interactionModels::interactionModels(const dictionary& dict,
 
 void Foam::interactionModels::include(const interactionModel& model,
                                       const interactionScene& scene,
-                                      effectLedger& effects)
+                                      effectTable& effects)
 {
     effects.declare(model.type(), true, model.describe());
     if (scene.softest > 0)

@@ -77,7 +77,7 @@ Foam::string Foam::interactionState::write(const interactionModels& models,
 
 void Foam::interactionState::readStrengths(const dictionary& strengths,
                                            interactionModels& models,
-                                           effectLedger& effects)
+                                           effectTable& effects)
 {
     for (contactForce& force : models.forces())
     {
@@ -125,7 +125,7 @@ void Foam::interactionState::read(const dictionary& saved,
                                   const boolList& initial,
                                   const bodyNumbers& numbers,
                                   interactionModels& models,
-                                  effectLedger& effects)
+                                  effectTable& effects)
 {
     // A flow that has developed would make other defaults
     if (!initial.found(true))

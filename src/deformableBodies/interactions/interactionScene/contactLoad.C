@@ -16,7 +16,7 @@ scalar weightAndLoads(const bodyPoints& p, const word& group,
     scalar largest = 0;
     for (label i = 0; i <= 8 && scene.forces.actOn(group, 0); ++i)
     {
-        vectorField F(p.places.size(), Zero);
+        vectorField F(p.positions.size(), Zero);
         scene.forces.add(
             group, 0, [&]() { return p; },
             startTime + 0.125 * i * scene.duration, scene.effects, F);
@@ -37,7 +37,7 @@ Foam::contactLoad Foam::contactLoad::of(const PtrList<bodyGroup>& groups,
     scalar volume, size, square; // drag = load.drag U + square U^2
     if (p.isSurface())
     {
-        volume = sum(p.places & p.areas) / 3;
+        volume = sum(p.positions & p.areas) / 3;
         size = load.radius = std::cbrt(0.75 * volume / pi);
         load.drag = 6 * pi * scene.mu * size;
         square = 0.2 * pi * scene.rho * sqr(size);

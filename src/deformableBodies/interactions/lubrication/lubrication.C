@@ -3,7 +3,7 @@
 #include "lubrication.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
-#include "judgedRatio.H"
+#include "rangeCheck.H"
 #include "mathematicalConstants.H"
 #include "segmentDistance.H"
 
@@ -223,6 +223,6 @@ void Foam::lubrication::resist(const closePairs& pairs,
         memory_.set(contacts);
         return;
     }
-    copies_.place(X, 2);
+    copies_.route(X, 2);
     memory_.set(copies_.handOut(contacts.cdata(), 6));
 }

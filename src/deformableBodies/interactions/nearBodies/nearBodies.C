@@ -33,7 +33,7 @@ Foam::boolList Foam::nearBodies::nearOthers(const UList<boundBox>& boxes,
     reduce(away, maxOp<label>());
 
     // All boxes that may be near one of this rank, in bins
-    boxes_.place(centres, grid_.layersWithin(2 * largest + reach) + away);
+    boxes_.route(centres, grid_.layersWithin(2 * largest + reach) + away);
     const scalarField factsHere(boxes_.handOut(facts.cdata(), 4));
     const UList<vector>& here = boxes_.here();
     const pointBins bins(grid_, 2 * largest + reach, here.size());

@@ -31,7 +31,7 @@ bodyNumbers threeGroups()
 //  default strength
 struct scene
 {
-    effectLedger effects;
+    effectTable effects;
     interactionModels models;
 
     explicit scene(const scalar mu)

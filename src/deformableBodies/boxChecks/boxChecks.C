@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-#include "bodyPlaces.H"
+#include "boxChecks.H"
 #include "dictionaryChecks.H"
 #include "directForcing.H"
 #include "processorPolyPatch.H"
@@ -8,9 +8,9 @@
 #include "Time.H"
 #include "wallPolyPatch.H"
 
-Foam::bodyPlaces::bodyPlaces(const fvMesh& mesh, PtrList<bodyGroup>& groups,
-                             markerSet& markers,
-                             const bodyInteractions* interactions)
+Foam::boxChecks::boxChecks(const fvMesh& mesh, PtrList<bodyGroup>& groups,
+                           markerSet& markers,
+                           const bodyInteractions* interactions)
     : time_(mesh.time()),
       grid_(uniformGrid::New(mesh)),
       groups_(groups),
@@ -73,8 +73,8 @@ Foam::bodyPlaces::bodyPlaces(const fvMesh& mesh, PtrList<bodyGroup>& groups,
     }
 }
 
-Foam::string Foam::bodyPlaces::through(const boundBox& bounds,
-                                       const scalar cells, bool* isWall) const
+Foam::string Foam::boxChecks::through(const boundBox& bounds,
+                                      const scalar cells, bool* isWall) const
 {
     for (direction d = 0; d < 3; ++d)
     {
@@ -97,8 +97,8 @@ Foam::string Foam::bodyPlaces::through(const boundBox& bounds,
     return "";
 }
 
-Foam::string Foam::bodyPlaces::divergence(const bodyGroup& group,
-                                          const label i) const
+Foam::string Foam::boxChecks::divergence(const bodyGroup& group,
+                                         const label i) const
 {
     const boundBox bounds(group.bounds(i, true));
     for (direction d = 0; d < 3; ++d)
@@ -118,12 +118,12 @@ Foam::string Foam::bodyPlaces::divergence(const bodyGroup& group,
                       : "it moves by " + Foam::name(cells) + " cells in a step";
 }
 
-void Foam::bodyPlaces::checkStart(const dictionary& dict) const
+void Foam::boxChecks::checkStart(const dictionary& dict) const
 {
     startChecks(grid_, groups_).check(dict);
 }
 
-Foam::bodyPlaces::fate Foam::bodyPlaces::look(string& trouble)
+Foam::boxChecks::fate Foam::boxChecks::look(string& trouble)
 {
     fate worst = INSIDE;
     if (anySides_)
@@ -136,7 +136,7 @@ Foam::bodyPlaces::fate Foam::bodyPlaces::look(string& trouble)
 }
 
 // Nuclei are removed with their capsules, and capsules with their nuclei
-Foam::string Foam::bodyPlaces::removeOrphans()
+Foam::string Foam::boxChecks::removeOrphans()
 {
     string removed;
     forAll(groups_, g)
@@ -172,7 +172,7 @@ Foam::string Foam::bodyPlaces::removeOrphans()
     return removed;
 }
 
-Foam::bodyPlaces::fate Foam::bodyPlaces::removeOutside(string& trouble)
+Foam::boxChecks::fate Foam::boxChecks::removeOutside(string& trouble)
 {
     string removed;
     fate worst = INSIDE;
@@ -195,7 +195,8 @@ Foam::bodyPlaces::fate Foam::bodyPlaces::removeOutside(string& trouble)
             const fate now = !diverged.empty() ? DIVERGED
                              : isWall          ? PRESSED
                                                : LEFT;
-            const string what(group.nameOfBody(group.mine()[i]) + " reaches through " + where +
+            const string what(group.nameOfBody(group.mine()[i]) +
+                              " reaches through " + where +
                               (diverged.empty() ? "" : "; " + diverged));
             if (group.removesOutside() && now != DIVERGED)
             {
@@ -224,7 +225,7 @@ Foam::bodyPlaces::fate Foam::bodyPlaces::removeOutside(string& trouble)
     return worst;
 }
 
-void Foam::bodyPlaces::warnOfWalls()
+void Foam::boxChecks::warnOfWalls()
 {
     forAll(groups_, g)
     {
@@ -233,9 +234,11 @@ void Foam::bodyPlaces::warnOfWalls()
         string near;
         for (label i = 0; nearWall_[g] && i < group.mine().size(); ++i)
         {
-            const string where(through(refCast<const directForcing>(group).forcedBounds(i), -0.5));
+            const string where(through(
+                refCast<const directForcing>(group).forcedBounds(i), -0.5));
             if (where.empty()) continue;
-            near = group.nameOfBody(group.mine()[i]) + " is closer than half a cell to " + where;
+            near = group.nameOfBody(group.mine()[i]) +
+                   " is closer than half a cell to " + where;
             break;
         }
         wallNamed_[g] = returnReduce(!near.empty(), orOp<bool>());

@@ -67,7 +67,7 @@ Foam::List<Foam::closeWarnings::encounter> Foam::closeWarnings::closest()
         }
         first += group.nMarkers();
     }
-    markers_.place(X);
+    markers_.setPositions(X);
 
     List<encounter> closest(named_.size());
     const auto visit =

@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-#include "givenEntries.H"
+#include "entryHistory.H"
 #include "dictionaryChecks.H"
 #include "SHA1.H"
 #include <map>
@@ -11,7 +11,7 @@ using namespace Foam;
 
 const std::string digest("SHA1 ");
 
-void addEntries(givenEntries& all, const dictionary& dict, const string& within,
+void addEntries(entryHistory& all, const dictionary& dict, const string& within,
                 const wordList& except)
 {
     for (const entry& e : dict)
@@ -30,16 +30,16 @@ void addEntries(givenEntries& all, const dictionary& dict, const string& within,
 }
 } // namespace
 
-Foam::givenEntries Foam::entriesOf(const dictionary& dict,
+Foam::entryHistory Foam::entriesOf(const dictionary& dict,
                                    const wordList& except)
 {
-    givenEntries all;
+    entryHistory all;
     addEntries(all, dict, "", except);
     return all;
 }
 
-Foam::List<Foam::changedEntry> Foam::changes(const givenEntries& then,
-                                             const givenEntries& now)
+Foam::List<Foam::changedEntry> Foam::changes(const entryHistory& then,
+                                             const entryHistory& now)
 {
     std::map<std::string, std::pair<string, string>> values;
     for (const auto& e : then)

@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-#include "repeatedDictionary.H"
+#include "duplicateEntries.H"
 #include "OSspecific.H"
 #include "testRefusal.H"
 
@@ -14,7 +14,7 @@ std::string refused(const std::string& text)
     const fileName file(test::mesh().time().globalPath() / "repeated");
     test::writeText(file, text);
     const std::string message(
-        test::refusal([&] { refuseRepeated(dictionary(), file); }));
+        test::refusal([&] { refuseDuplicates(dictionary(), file); }));
     if (Pstream::master()) rm(file);
     return message;
 }

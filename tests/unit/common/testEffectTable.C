@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-#include "effectLedger.H"
+#include "effectTable.H"
 #include "OSspecific.H"
 #include "unitTest.H"
 #include <chrono>
@@ -34,7 +34,7 @@ TEST(EffectLedger, timeOfAnInnerEffectIsItsOwn)
     std::map<std::string, std::pair<scalar, label>> rows;
     scalar all = 0;
     {
-        effectLedger ledger(time, "ledger");
+        effectTable ledger(time, "ledger");
         for (const word name : {"outer", "inner"})
         {
             ledger.declare(name, true, "");

@@ -1,13 +1,14 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-#include "startDictionary.H"
+#include "readOnceDictionary.H"
 #include "fileOperation.H"
 #include "Time.H"
 
 // Registered with Time, so that it does not clash with a dictionary of the same name that
 // is registered with the mesh and is read again
-Foam::startDictionary::startDictionary(const objectRegistry& mesh,
-                                       const word& name, const string& who)
+Foam::readOnceDictionary::readOnceDictionary(const objectRegistry& mesh,
+                                             const word& name,
+                                             const string& who)
     : IOdictionary(IOobject(name, mesh.time().constant(), mesh.dbDir(),
                             mesh.time(), IOobject::MUST_READ_IF_MODIFIED,
                             IOobject::NO_WRITE)),
@@ -17,7 +18,7 @@ Foam::startDictionary::startDictionary(const objectRegistry& mesh,
     clear();
 }
 
-bool Foam::startDictionary::readIfModified()
+bool Foam::readOnceDictionary::readIfModified()
 {
     if (!modified()) return false;
     for (const label watch : watchIndices())

@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-#include "effectLedger.H"
+#include "effectTable.H"
 #include "resultFile.H"
 #include <iomanip>
 #include <sstream>
@@ -15,7 +15,7 @@ std::string column(const std::string& s, const int width)
 }
 } // namespace
 
-Foam::effectLedger::effectLedger(const Time& time, const word& region)
+Foam::effectTable::effectTable(const Time& time, const word& region)
     : time_(time),
       region_(region),
       since_(std::chrono::steady_clock::now()),
@@ -23,7 +23,7 @@ Foam::effectLedger::effectLedger(const Time& time, const word& region)
 {
 }
 
-void Foam::effectLedger::charge()
+void Foam::effectTable::charge()
 {
     const auto now = std::chrono::steady_clock::now();
     const std::chrono::duration<double> used(now - since_);
@@ -32,15 +32,15 @@ void Foam::effectLedger::charge()
     since_ = now;
 }
 
-void Foam::effectLedger::stop()
+void Foam::effectTable::stop()
 {
     charge();
     ++effects_[running_.last()].calls;
     running_.setSize(running_.size() - 1);
 }
 
-void Foam::effectLedger::declare(const word& name, const bool active,
-                                 const string& note)
+void Foam::effectTable::declare(const word& name, const bool active,
+                                const string& note)
 {
     for (effect& e : effects_)
     {
@@ -59,7 +59,7 @@ void Foam::effectLedger::declare(const word& name, const bool active,
     effects_.append(effect{name, active, note, 0, 0});
 }
 
-Foam::effectLedger::timer Foam::effectLedger::time(const word& name)
+Foam::effectTable::timer Foam::effectTable::time(const word& name)
 {
     forAll(effects_, i)
     {
@@ -73,7 +73,7 @@ Foam::effectLedger::timer Foam::effectLedger::time(const word& name)
     return timer(*this);
 }
 
-void Foam::effectLedger::printEffects()
+void Foam::effectTable::printEffects()
 {
     charge();
     startUp_ += rest_;
@@ -89,7 +89,7 @@ void Foam::effectLedger::printEffects()
 }
 
 template<class Visit>
-void Foam::effectLedger::rows(Visit visit)
+void Foam::effectTable::rows(Visit visit)
 {
     charge();
     const auto row =
@@ -108,7 +108,7 @@ void Foam::effectLedger::rows(Visit visit)
     row("rest", rest_, 1);
 }
 
-void Foam::effectLedger::printCost()
+void Foam::effectTable::printCost()
 {
     scalar total = 0;
     rows([&](const word&, const scalar mean, scalar, label) { total += mean; });
@@ -147,7 +147,7 @@ void Foam::effectLedger::printCost()
     Info << endl;
 }
 
-void Foam::effectLedger::write()
+void Foam::effectTable::write()
 {
     if (Pstream::master() && !file_.valid())
     {

@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-#include "judgedRatio.H"
+#include "rangeCheck.H"
 #include "dictionaryChecks.H"
 #include "StringStream.H"
 
@@ -31,9 +31,9 @@ Foam::string Foam::rangeOf(const scalar least, const scalar most)
     return digits(least) + " to " + digits(most);
 }
 
-void Foam::judge(const dictionary& dict, const List<judgedRatio>& ratios)
+void Foam::judge(const dictionary& dict, const List<rangeCheck>& ratios)
 {
-    for (const judgedRatio& r : ratios)
+    for (const rangeCheck& r : ratios)
     {
         const string value(r.name + " = " + digits(r.value));
         if (!within(r.value, r.least, r.most))

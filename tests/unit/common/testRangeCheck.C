@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-#include "judgedRatio.H"
+#include "rangeCheck.H"
 #include "testRefusal.H"
 
 using namespace Foam;

@@ -15,9 +15,9 @@ using namespace Foam;
 scalar enclosure(const bodyPoints& surface, const point& x)
 {
     scalar angle = 0;
-    forAll(surface.places, k)
+    forAll(surface.positions, k)
     {
-        const vector r(surface.places[k] - x);
+        const vector r(surface.positions[k] - x);
         angle += (surface.areas[k] & r) / (pow3(mag(r)) + VSMALL);
     }
     return angle / (4 * constant::mathematical::pi);
@@ -27,7 +27,7 @@ scalar enclosure(const bodyPoints& surface, const point& x)
 pointField someOf(const bodyPoints& body, const label n, const scalar apart)
 {
     DynamicList<point> points;
-    const vectorField& X = body.places;
+    const vectorField& X = body.positions;
     if (body.isSurface())
     {
         const label step = max(label(1), X.size() / n);
@@ -67,12 +67,13 @@ meeting meetingOf(const bodyPoints& a, const bodyPoints& b, const scalar h)
         const scalar thickness =
             (std::sqrt(a.crossSection) + std::sqrt(b.crossSection)) /
             std::sqrt(constant::mathematical::pi);
-        for (label i = 1; i < a.places.size(); ++i)
+        for (label i = 1; i < a.positions.size(); ++i)
         {
-            for (label j = 1; j < b.places.size(); ++j)
+            for (label j = 1; j < b.positions.size(); ++j)
             {
-                if (mag(connection(a.places[i - 1], a.places[i],
-                                   b.places[j - 1], b.places[j])) < thickness)
+                if (mag(connection(a.positions[i - 1], a.positions[i],
+                                   b.positions[j - 1], b.positions[j])) <
+                    thickness)
                 {
                     return meeting::overlap;
                 }
@@ -84,7 +85,7 @@ meeting meetingOf(const bodyPoints& a, const bodyPoints& b, const scalar h)
     {
         const bodyPoints &outer = first ? a : b, &inner = first ? b : a;
         if (!outer.isSurface()) continue;
-        const boundBox box(outer.places, false);
+        const boundBox box(outer.positions, false);
         label in = 0, out = 0;
         for (const point& x : someOf(inner, 200, h))
         {
@@ -115,7 +116,7 @@ Foam::startChecks::bodies() const
             if (!alike)
             {
                 const bodyPoints p(group.initialPoints(body));
-                radius = std::sqrt(max(magSqr(p.places - centre)));
+                radius = std::sqrt(max(magSqr(p.positions - centre)));
                 radius += std::sqrt(p.crossSection);
                 alike = p.isSurface();
             }
@@ -139,7 +140,7 @@ void Foam::startChecks::judgePair(const startingBody& a, const startingBody& b)
     const scalar h = cmptMin(grid_.h());
     const bodyPoints p(g.initialPoints(a.number));
     bodyPoints q(k.initialPoints(b.number));
-    q.places += image;
+    q.positions += image;
     const bool onePlace = a.group == b.group && mag(apart) < 1e-6 * h;
     const meeting m =
         onePlace && p.isSurface() ? meeting::cross : meetingOf(p, q, h);
@@ -199,7 +200,7 @@ void Foam::startChecks::check(const dictionary& dict)
     reduce(errors_.n, sumOp<label>());
     if (errors_.n)
     {
-        firstRankSpeaks();
+        waitForMaster();
         FatalIOErrorInFunction(dict)
             << "entry positions: " << firstOf(errors_.first).c_str()
             << " (such pairs: " << errors_.n << ")" << nl

@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-#include "repeatedDictionary.H"
+#include "duplicateEntries.H"
 #include "dictionaryChecks.H"
 #include "IFstream.H"
 #include "Pstream.H"
@@ -106,7 +106,7 @@ string firstRepeated(const fileName& file, string& what)
 }
 } // namespace
 
-void Foam::refuseRepeated(const dictionary& dict, const fileName& file)
+void Foam::refuseDuplicates(const dictionary& dict, const fileName& file)
 {
     string repeated, what;
     if (Pstream::master()) repeated = firstRepeated(file, what);
