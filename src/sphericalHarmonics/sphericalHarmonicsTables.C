@@ -106,6 +106,15 @@ void Foam::sphericalHarmonics::orderCoefficients()
     {
         table->resize(nextP);
     }
+    degrees_.resize(nCoeffs());
+    for (int n = 0; n <= degree_; ++n)
+    {
+        for (int m = 0; m <= n; ++m)
+        {
+            degrees_[index(n, m, false)] = n;
+            if (m) degrees_[index(n, m, true)] = n;
+        }
+    }
 }
 
 void Foam::sphericalHarmonics::makeLatitudeTables()

@@ -44,7 +44,10 @@ Usage
 #include "lastStep.H"
 #include "runProgress.H"
 #include "sigFpe.H"
+#include "fieldsWanted.H"
+#include "pimpleState.H"
 #include "staggeredStep.H"
+#include "stepRetries.H"
 #include "readOnceDictionary.H"
 #include "printEnd.H"
 
@@ -71,6 +74,7 @@ int main(int argc, char* argv[])
     #include "createFvOptions.H"
     #include "createFlow.H"
     #include "startLimits.H"
+    #include "createRetries.H"
 
     if (args.found("dry-run"))
     {
@@ -97,19 +101,8 @@ int main(int argc, char* argv[])
             Info<< "Time = " << runTime.timeName() << nl << endl;
         }
 
-        if (!flows)
         {
-            bodies.advance(phi);
-        }
-        else if (!staggered)
-        {
-            #include "pimpleStep.H"
-        }
-        else if (!staggeredStep(*staggered, *sources, bodies,
-                                laminarTransport, judge))
-        {
-            staggered->fill();
-            bodies.stop();
+            #include "takeStep.H"
         }
 
         {
@@ -120,6 +113,7 @@ int main(int argc, char* argv[])
         }
     }
 
+    retries.printCount();
     printEnd(runTime);
 
     return 0;

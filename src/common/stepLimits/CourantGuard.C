@@ -68,8 +68,9 @@ Foam::scalar Foam::CourantGuard::CourantNo(const surfaceScalarField& phi)
     return phi.time().deltaTValue() * gMax(all);
 }
 
-Foam::string Foam::CourantGuard::reasonToStop(const scalar Co) const
+Foam::string Foam::CourantGuard::wrong(const scalar Co) const
 {
+    if (!unsolved_.empty()) return unsolved_;
     const scalar dt = phi_.time().deltaTValue();
     if (!(Co < GREAT)) return "the velocity is not finite";
     if (Co > largest_)
@@ -97,8 +98,8 @@ void Foam::CourantGuard::warn(const scalar Co)
 {
     // An adjusted step is adjusted to the velocity before: 5 % are allowed
     const Time& time = phi_.time();
-    if (Co <= 1.05 * stable_ || !warning_.due(time.timeIndex())) return;
-    warning_.warned(time.timeIndex());
+    if (Co <= 1.05 * stable_ || !warning_.due(stepIndex(time))) return;
+    warning_.warned(stepIndex(time));
     if (!Pstream::master()) return;
     const scalar dt = time.deltaTValue();
     WarningInFunction << "Courant number " << Foam::name(Co) << " at time "
@@ -116,21 +117,20 @@ void Foam::CourantGuard::check(const scalar Co,
                                const std::function<void()>& beforeStop)
 {
     longest_ = max(longest_, phi_.time().deltaTValue());
-    const string reason(reasonToStop(Co));
+    const string reason(wrong(Co));
     if (!reason.empty()) stop(reason, Co, beforeStop);
     keepStableStep(Co);
     warn(Co);
 }
 
-void Foam::CourantGuard::checkSolved(
-    const word& field, const scalar residual,
-    const std::function<void()>& beforeStop) const
+bool Foam::CourantGuard::solved(const word& field, const scalar residual)
 {
-    if (residual < 10) return;
-    const scalar Co = CourantNo(phi_);
-    stop("the linear solver of " + field + " diverges, residual " +
-             Foam::name(residual) + ", at Courant number " + Foam::name(Co),
-         Co, beforeStop);
+    unsolved_.clear();
+    if (residual < 10) return true;
+    unsolved_ = "the linear solver of " + field + " diverges, residual " +
+                Foam::name(residual) + ", at Courant number " +
+                Foam::name(CourantNo(phi_));
+    return false;
 }
 
 void Foam::CourantGuard::stop(const string& reason, const scalar Co,

@@ -89,16 +89,16 @@ Foam::stepLimits::limit Foam::stepLimits::binding() const
 
 void Foam::stepLimits::print(Ostream& os) const
 {
-    os  << "Limits of the time step (deltaT is "
-        << Foam::name(time_.deltaTValue())
-        << (adjusted_ ? ", adjusted)" : ", fixed)") << nl;
+    os << "Limits of the time step (deltaT is "
+       << Foam::name(time_.deltaTValue())
+       << (adjusted_ ? ", adjusted)" : ", fixed)") << nl;
     const auto row = [&](const limit& l)
     {
         std::string what(l.what);
         what.resize(max(what.size(), std::string::size_type(12)), ' ');
         const string dt(l.dt < GREAT ? Foam::name(l.dt) + " s" : "none");
-        os  << "    " << what.c_str() << dt.c_str() << ", " << l.note.c_str()
-            << nl;
+        os << "    " << what.c_str() << dt.c_str() << ", " << l.note.c_str()
+           << nl;
     };
     row(flowLimit());
     for (const limit& l : limits_)
@@ -106,7 +106,7 @@ void Foam::stepLimits::print(Ostream& os) const
         row(l);
     }
     if (adjusted_) row(controlLimit());
-    os  << endl;
+    os << endl;
 }
 
 void Foam::stepLimits::resume(Time& time) const
@@ -139,8 +139,19 @@ void Foam::stepLimits::adjust(Time& time)
     const limit l(binding());
     setRounded(time, l.dt);
     Co_ *= time.deltaTValue() / last;
-    Info<< "deltaT = " << time.deltaTValue() << ", limited by "
-        << l.why.c_str() << endl;
+    Info << "deltaT = " << time.deltaTValue() << ", limited by "
+         << l.why.c_str() << endl;
+}
+
+Foam::string Foam::stepLimits::wrong() const
+{
+    const scalar wanted = min(maxCo_, guard_.stable());
+    if (adjusted_ && Co_ > 1.2 * wanted && Co_ < CourantGuard::notFinite)
+    {
+        return "Courant number " + Foam::name(Co_) + ", wanted " +
+               Foam::name(wanted);
+    }
+    return guard_.wrong(Co_);
 }
 
 void Foam::stepLimits::judge(const std::function<void()>& beforeStop)
@@ -151,9 +162,9 @@ void Foam::stepLimits::judge(const std::function<void()>& beforeStop)
         for (const limit& l : limits_)
         {
             if (deltaT <= (1 + 1e-6) * l.dt) continue;
-            Info<< "deltaT " << Foam::name(deltaT)
-                << " is above the limit of the " << l.why.c_str() << ", "
-                << Foam::name(l.dt) << " s, which may be the cause" << nl;
+            Info << "deltaT " << Foam::name(deltaT)
+                 << " is above the limit of the " << l.why.c_str() << ", "
+                 << Foam::name(l.dt) << " s, which may be the cause" << nl;
         }
         beforeStop();
     };

@@ -85,7 +85,7 @@ Foam::bodyCollection& Foam::bodyCollection::New(const fvMesh& mesh,
 Foam::bodyCollection::~bodyCollection()
 {
     // Nothing was simulated in post-processing
-    if (lastMoved_ < 0) return;
+    if (lastMoved_ == -GREAT) return;
     system_.effects.printCost();
     if (output_) output_->finish();
 }
@@ -93,7 +93,7 @@ Foam::bodyCollection::~bodyCollection()
 void Foam::bodyCollection::advance(const surfaceScalarField& phi)
 {
     const Time& time = system_.mesh.time();
-    if (lastMoved_ == time.timeIndex()) return;
+    if (lastMoved_ == time.value()) return;
     limits_.usePimple();
     makeForceFlux();
 
@@ -112,11 +112,9 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
             system_.grid.diffusionNumber(system_.nu->value(),
                                          time.deltaTValue()),
             force));
-        if (mustStop()) stop();
+        if (mustStop()) return;
         system_.grid.toFlux(force, *forceFlux_);
     }
-    sample();
-    if (mustStop()) stop();
 }
 
 void Foam::bodyCollection::judgeStep(const surfaceScalarField& phi)
@@ -155,12 +153,12 @@ Foam::tmp<Foam::volVectorField> Foam::bodyCollection::cellForce() const
 void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
                                             staggeredField& force)
 {
-    if (lastMoved_ < 0)
+    if (lastMoved_ == -GREAT)
     {
         limits_.describe();
         if (output_) output_->start();
     }
-    lastMoved_ = system_.mesh.time().timeIndex();
+    lastMoved_ = system_.mesh.time().value();
     if (empty()) return;
 
     const auto timing(system_.effects.time("boxChecks"));
@@ -176,7 +174,7 @@ void Foam::bodyCollection::moveWithPrediction(const velocityPrediction& p)
 
 void Foam::bodyCollection::look()
 {
-    const label now = system_.mesh.time().timeIndex();
+    const scalar now = system_.mesh.time().value();
     if (trouble_.any || lastLooked_ == now) return;
     lastLooked_ = now;
     const auto timing(system_.effects.time("boxChecks"));
@@ -187,11 +185,17 @@ void Foam::bodyCollection::look()
     trouble_.any = trouble_.fate != boxChecks::INSIDE;
 }
 
-void Foam::bodyCollection::sample()
+void Foam::bodyCollection::endStep(const std::function<void()>& beforeStop)
 {
     if (empty()) return;
     look();
-    if (!mustStop()) output_->sample();
+    if (!mustStop())
+    {
+        output_->sample();
+        return;
+    }
+    beforeStop();
+    stop();
 }
 
 void Foam::bodyCollection::draw()
@@ -255,6 +259,10 @@ void Foam::bodyCollection::restore(const snapshot& s)
     }
     if (system_.interactions) system_.interactions->remember(s.interactions);
     trouble_.clear();
+
+    // Before any time of the step
+    const Time& time = system_.mesh.time();
+    lastMoved_ = lastLooked_ = time.value() - time.deltaTValue();
 }
 
 bool Foam::bodyCollection::writeData(Ostream& os) const

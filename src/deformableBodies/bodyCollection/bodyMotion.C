@@ -49,7 +49,8 @@ void Foam::bodyMotion::moveWithVelocity(const staggeredView& u,
         system_.markers->interpolate({u}, markers.U);
     }
     if (system_.contrast) updateViscosity(groups);
-    move(groups, markers, {time.value(), time.deltaTValue(), false, 1});
+    move(groups, markers,
+         {time.value(), time.deltaTValue(), false, 1, system_.solverBalances});
     if (trouble_.any) return;
     if (system_.interactions) system_.interactions->update();
 
@@ -103,7 +104,8 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p,
         system_.markers->interpolate(p.u, markers.U);
     }
     move(groups, markers,
-         {time.value(), time.deltaTValue(), !p.isOfLastStep, fraction});
+         {time.value(), time.deltaTValue(), !p.isOfLastStep, fraction,
+          system_.solverBalances});
     if (trouble_.any) return;
 
     vectorField change(loads(groups).F);

@@ -47,9 +47,9 @@ void Foam::bodyOutput::sample()
 {
     const Time& time = system_.mesh.time();
     if (forceField_ && isLookedAt("bodyForce", time)) *forceField_ = force();
-    if (!sampleDue() || lastSampled_ == time.timeIndex()) return;
+    if (!sampleDue() || lastSampled_ == stepIndex(time)) return;
 
-    lastSampled_ = time.timeIndex();
+    lastSampled_ = stepIndex(time);
     writer_.sample(time.value());
     if (!system_.contrast) system_.nu->compare(system_.groups);
     if (system_.interactions) system_.interactions->sample();

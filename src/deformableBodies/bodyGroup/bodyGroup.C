@@ -84,6 +84,27 @@ void Foam::bodyGroup::checkStart(const label i, const dictionary& dict) const
     }
 }
 
+Foam::string Foam::bodyGroup::unsteady(const label body,
+                                       const scalar displacement,
+                                       const scalar sum,
+                                       const scalar difference,
+                                       const scalar radius, label& n) const
+{
+    const scalar cells = displacement / cmptMin(scene_.grid.h());
+    if (!(cells <= 1))
+    {
+        return nameOfBody(body) + " moves by " + Foam::name(cells) +
+               " cells in a step, limit 1";
+    }
+    n = difference > max(0.3 * sum, 0.005 * radius) ? n + 1 : 0;
+    if (n >= 3)
+    {
+        return nameOfBody(body) + " moves to and fro by " +
+               Foam::name(difference / radius) + " radii from step to step";
+    }
+    return string::null;
+}
+
 void Foam::bodyGroup::setHost(const label host, const bodyGroup& group)
 {
     host_ = host;

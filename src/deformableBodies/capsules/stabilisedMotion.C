@@ -65,17 +65,8 @@ Foam::stabilisedMotion::stabilisedMotion(const setting& s, const waves& rates)
     : capsuleMotion(s.shell, GREAT),
       effects_(s.effects),
       harmonics_(s.harmonics),
-      rate_(rates),
-      degree_(s.harmonics.nCoeffs())
+      rate_(rates)
 {
-    for (int n = 0; n <= harmonics_.degree(); ++n)
-    {
-        for (int m = 0; m <= n; ++m)
-        {
-            degree_[harmonics_.index(n, m, false)] = n;
-            if (m) degree_[harmonics_.index(n, m, true)] = n;
-        }
-    }
 }
 
 Foam::capsuleMotion::numbers
@@ -89,7 +80,7 @@ Foam::stabilisedMotion::extrapolate(const numbers& x, const numbers& previous,
     const Eigen::Matrix3d part(
         Eigen::AngleAxisd(ratio * q.angle(), q.axis()).toRotationMatrix());
     numbers target(previous);
-    for (size_t i = 0; i < degree_.size(); ++i)
+    for (int i = 0; i < harmonics_.nCoeffs(); ++i)
     {
         double* t = target.data() + 3 * i;
         rotate(full, t);
@@ -108,13 +99,14 @@ void Foam::stabilisedMotion::correct(const capsule& c, numbers& x,
 {
     const auto timing(effects_.time("stabilised"));
     const numbers target(extrapolate(c.x, c.previous, ratio));
-    for (size_t i = 0; i < degree_.size(); ++i)
+    for (int i = 0; i < harmonics_.nCoeffs(); ++i)
     {
-        if (degree_[i] == 0) continue; // the position of the whole
-        const double keep = 1 / (1 + dt * rate_[degree_[i]]);
+        const int n = harmonics_.degreeOf(i);
+        if (n == 0) continue; // the position of the whole
+        const double keep = 1 / (1 + dt * rate_[n]);
         for (int d = 0; d < 3; ++d)
         {
-            const size_t j = 3 * i + d;
+            const int j = 3 * i + d;
             x[j] = target[j] + keep * (x[j] - target[j]);
         }
     }
@@ -133,9 +125,9 @@ void Foam::stabilisedMotion::restoreVolume(numbers& x, const scalar dt,
         const double lack = enclosed - volume;
         double square = 0;
         numbers step(g);
-        for (size_t i = 0; i < degree_.size(); ++i)
+        for (int i = 0; i < harmonics_.nCoeffs(); ++i)
         {
-            const int n = degree_[i];
+            const int n = harmonics_.degreeOf(i);
             const double weight =
                 n ? 1 / ((2 * n + 1) * (1 + dt * rate_[n])) : 0;
             for (int d = 0; d < 3; ++d)

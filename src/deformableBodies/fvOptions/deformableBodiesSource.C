@@ -65,6 +65,7 @@ void Foam::fv::deformableBodiesSource::addSup(fvMatrix<vector>& eqn,
     const auto& phi = mesh_.lookupObject<surfaceScalarField>(phiName_);
     if (phi.dimensions() != dimVolume / dimTime) refuseDensity();
     bodies_.advance(phi);
+    bodies_.endStep();
     eqn += bodies_.cellForce();
 }
 

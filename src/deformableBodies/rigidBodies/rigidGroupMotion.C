@@ -124,7 +124,19 @@ Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
         // forces, and its change would be answered twice
         const vectorField change(x.change(U, x.dt == 0));
         if (!s.predicted) u += 0.5 * change;
+        const vector before(x.velocity);
+        const bool sameStep = mag(x.dt - s.dt) < 0.01 * s.dt;
         advance(x, u, gains(density, s), force, torque, s);
+        if (s.mayRetry && trouble.empty())
+        {
+            trouble = unsteady(
+                number,
+                s.dt * (mag(x.velocity) +
+                        mag(x.angularVelocity) * cmptMax(shape_.semiAxes())),
+                s.dt * mag(x.velocity + before),
+                sameStep ? s.dt * mag(x.velocity - before) : 0, shape_.radius(),
+                x.nUnsteady);
+        }
 
         // Implicit solvers of the fluid bear no such force for long
         const scalar cells = s.dt * slipOf(x, u) / h_;

@@ -33,7 +33,7 @@ Foam::explicitScheme::explicitScheme(const uniformGrid& grid,
     history_.last = componentArrays(grid.box().nPlaces());
 
     // Time forgets the length of the last step where deltaT is fixed
-    history_.deltaT = lastStep::read(mesh.time());
+    history_.deltaT = lastStep::readSubStep(mesh.time());
     if (!(history_.deltaT > 0)) history_.deltaT = mesh.time().deltaTValue();
 
     const auto state = stateOfTime(mesh, "timeScheme");
@@ -166,10 +166,4 @@ void Foam::explicitScheme::setWithDiffusion(const bool yes)
     history_.withDiffusion = yes;
     history_.known = false;
     if (termsFile_) termsFile_->rename(termsName(yes));
-}
-
-void Foam::explicitScheme::restore(const history& h)
-{
-    history_ = h;
-    if (termsFile_) termsFile_->rename(termsName(h.withDiffusion));
 }

@@ -259,6 +259,24 @@ void Foam::flowSources::add()
     }
 }
 
+std::vector<Foam::scalarList> Foam::flowSources::save() const
+{
+    std::vector<scalarList> all;
+    for (const fv::lowModeForcing* forcing : forcings_)
+    {
+        all.push_back(forcing->state());
+    }
+    return all;
+}
+
+void Foam::flowSources::restore(const std::vector<scalarList>& states)
+{
+    for (size_t i = 0; i < states.size(); ++i)
+    {
+        forcings_[i]->setState(states[i]);
+    }
+}
+
 void Foam::flowSources::report()
 {
     if (!held_ || !held_->isActive()) return;

@@ -60,13 +60,10 @@ Foam::fv::EswaranPopeForcing::EswaranPopeForcing(const word& name,
     const auto old = stateOfTime(mesh, name);
     if (old)
     {
-        const scalarField values("values", *old,
-                                 label(2 * b_.size())); // checks the size
-        steps_ = old->get<label>("steps");
-        for (size_t i = 0; i < b_.size(); ++i)
-        {
-            b_[i] = complexNumber(values[2 * i], values[2 * i + 1]);
-        }
+        scalarList numbers(1, scalar(old->get<label>("steps")));
+        numbers.append(scalarField("values", *old,
+                                   label(2 * b_.size()))); // checks the size
+        setState(numbers);
     }
     else
     {
@@ -77,17 +74,14 @@ Foam::fv::EswaranPopeForcing::EswaranPopeForcing(const word& name,
     }
     const auto write = [this](Ostream& os)
     {
-        scalarField values;
-        for (const complexNumber& b : b_)
-        {
-            values.append(b.real());
-            values.append(b.imag());
-        }
+        const scalarList numbers(state());
+        const scalarField values(
+            SubList<scalar>(numbers, numbers.size() - 1, 1));
         os.precision(17);
         os.writeEntry("steps", steps_);
         values.writeEntry("values", os);
     };
-    state_.reset(new stateObject<IOdictionary>(name, "uniform", mesh, write));
+    file_.reset(new stateObject<IOdictionary>(name, "uniform", mesh, write));
     project();
 }
 
@@ -127,11 +121,34 @@ void Foam::fv::EswaranPopeForcing::project()
     }
 }
 
+Foam::scalarList Foam::fv::EswaranPopeForcing::state() const
+{
+    scalarList numbers(1 + 2 * b_.size());
+    numbers[0] = steps_;
+    for (size_t i = 0; i < b_.size(); ++i)
+    {
+        numbers[1 + 2 * i] = b_[i].real();
+        numbers[2 + 2 * i] = b_[i].imag();
+    }
+    return numbers;
+}
+
+void Foam::fv::EswaranPopeForcing::setState(const scalarList& numbers)
+{
+    steps_ = label(numbers[0]);
+    lastTime_ = -GREAT;
+    for (size_t i = 0; i < b_.size(); ++i)
+    {
+        b_[i] = complexNumber(numbers[1 + 2 * i], numbers[2 + 2 * i]);
+    }
+    project();
+}
+
 void Foam::fv::EswaranPopeForcing::advance()
 {
     const Time& time = mesh_.time();
-    if (lastIndex_ == time.timeIndex()) return;
-    lastIndex_ = time.timeIndex();
+    if (lastTime_ == time.value()) return;
+    lastTime_ = time.value();
 
     ++steps_;
     const scalar keep = std::exp(-time.deltaTValue() / timeScale_);

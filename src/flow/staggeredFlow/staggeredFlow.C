@@ -113,17 +113,21 @@ void Foam::staggeredFlow::begin(const scalar dt)
     mean_.begin(dt);
 }
 
-Foam::staggeredState Foam::staggeredFlow::save() const
+void Foam::staggeredFlow::save(staggeredState& s) const
 {
-    return {u_, pressure_, scheme_.save(), diffusion_.save(), walls_.now()};
+    s.u = u_;
+    s.pressure = pressure_;
+    s.diffusion = diffusion_.save();
+    s.walls = walls_.now();
 }
 
 void Foam::staggeredFlow::restore(const staggeredState& s)
 {
     u_ = s.u;
     pressure_ = s.pressure;
-    scheme_.restore(s.history);
     diffusion_.restore(s.diffusion);
+    scheme_.setWithDiffusion(diffusion_.isExplicit());
+    scheme_.forgetHistory();
     walls_.set(s.walls);
     rates_.forget();
     mean_.forgetResponse();

@@ -15,6 +15,12 @@ dictionary dictionaryOf(const Time& time, const word& name)
 }
 } // namespace
 
+Foam::label Foam::stepIndex(const Time& time)
+{
+    return time.subCycling() ? time.prevTimeState().timeIndex()
+                             : time.timeIndex();
+}
+
 Foam::lastStep::lastStep(const Time& time)
     : stateObject<IOdictionary>("lastStep", "uniform", time,
                                 [this](Ostream& os)
@@ -22,10 +28,25 @@ Foam::lastStep::lastStep(const Time& time)
                                     os.precision(17);
                                     os.writeEntry("deltaT",
                                                   this->time().deltaTValue());
+                                    writeDivision(os);
                                     if (diverged_.empty()) return;
                                     os.writeEntry("diverged", diverged_);
                                 })
 {
+    const dictionary last(dictionaryOf(time, "lastStep"));
+    last.readIfPresent("subSteps", division_.subSteps);
+    last.readIfPresent("quiet", division_.quiet);
+    last.readIfPresent("pause", division_.pause);
+    last.readIfPresent("limit", division_.limit);
+}
+
+void Foam::lastStep::writeDivision(Ostream& os) const
+{
+    if (division_.pause == division().pause) return;
+    os.writeEntry("subSteps", division_.subSteps);
+    os.writeEntry("quiet", division_.quiet);
+    os.writeEntry("pause", division_.pause);
+    os.writeEntry("limit", division_.limit);
 }
 
 Foam::scalar Foam::lastStep::read(const Time& time)
@@ -37,6 +58,12 @@ Foam::scalar Foam::lastStep::read(const Time& time)
     // lastStep is out of date if another solver has written this time since: then the two
     // steps differ by more than the rounding of uniform/time
     return mag(exact - rounded) < 1e-3 * rounded ? exact : rounded;
+}
+
+Foam::scalar Foam::lastStep::readSubStep(const Time& time)
+{
+    return read(time) /
+           dictionaryOf(time, "lastStep").getOrDefault<label>("subSteps", 1);
 }
 
 void Foam::lastStep::refuseDiverged(const Time& time)

@@ -2,7 +2,7 @@
 
 #include "overlapWatch.H"
 #include "dictionaryChecks.H"
-#include "Time.H"
+#include "lastStep.H"
 
 void Foam::overlapWatch::overlaps::include(const scalar deep, const label first,
                                            const label second, const point& x)
@@ -131,10 +131,10 @@ void Foam::overlapWatch::end()
         now_.pairs.swap(all_.pairs);
         all_ = now_;
     }
-    if (!rarely_.due(time_.timeIndex())) return;
+    if (!rarely_.due(stepIndex(time_))) return;
     const string where(describe(now_));
     if (where.empty()) return;
-    rarely_.warned(time_.timeIndex());
+    rarely_.warned(stepIndex(time_));
     if (Pstream::master())
     {
         WarningInFunction

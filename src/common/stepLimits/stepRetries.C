@@ -1,0 +1,87 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "stepRetries.H"
+#include "dictionaryChecks.H"
+
+Foam::stepRetries::stepRetries(Time& time, stepLimits& limits, lastStep& last,
+                               const label maxRetries)
+    : time_(time),
+      limits_(limits),
+      last_(last),
+      maxRetries_(
+          time.controlDict().getOrDefault<label>("maxRetries", maxRetries))
+{
+    if (maxRetries_ < 0 || maxRetries_ > 10)
+    {
+        refuse(time.controlDict(), "maxRetries", Foam::name(maxRetries_),
+               "0 to 10");
+    }
+}
+
+Foam::string Foam::stepRetries::inParts(const std::function<string()>& step)
+{
+    const label n = last_.divided().subSteps;
+    if (n == 1) return step();
+    string wrong;
+    time_.subCycle(n);
+    for (label i = 0; i < n; ++i)
+    {
+        ++time_;
+        wrong = step();
+        if (returnReduce(!wrong.empty(), orOp<bool>())) break;
+    }
+    time_.endSubCycle();
+    return wrong;
+}
+
+bool Foam::stepRetries::advance(const actions& a)
+{
+    if (maxRetries_ == 0) return firstOf(a.step()).empty();
+    lastStep::division& d = last_.divided();
+    a.save();
+    while (true)
+    {
+        const string wrong(firstOf(inParts(a.step)));
+        if (wrong.empty()) break;
+        if (d.subSteps >= 1 << maxRetries_) return false;
+        ++taken_;
+        d.subSteps *= 2;
+        d.quiet = 0;
+        d.pause = min(2 * d.pause, label(1000));
+        a.restore();
+        Info << "Step taken back at time " << time_.timeName() << ": "
+             << wrong.c_str() << nl << "    Taken again in " << d.subSteps
+             << " sub-steps of " << time_.deltaTValue() / d.subSteps << " s"
+             << nl;
+    }
+    recover();
+    return true;
+}
+
+void Foam::stepRetries::recover()
+{
+    lastStep::division& d = last_.divided();
+    if (limits_.adjusted() && d.subSteps > 1)
+    {
+        d.limit = time_.deltaTValue() / d.subSteps;
+        d.subSteps = 1;
+        time_.setDeltaT(d.limit, false);
+    }
+    const bool divided = d.subSteps > 1 || d.limit < GREAT;
+    if (divided && ++d.quiet >= d.pause)
+    {
+        d.quiet = 0;
+        if (d.subSteps > 1) d.subSteps /= 2;
+        if (d.limit < GREAT) d.limit *= 2;
+    }
+    if (divided && limits_.adjusted())
+    {
+        limits_.set("retries", d.limit, "last step that was taken back");
+    }
+}
+
+void Foam::stepRetries::printCount() const
+{
+    if (!taken_) return;
+    Info << "Steps taken back: " << taken_ << nl << endl;
+}
