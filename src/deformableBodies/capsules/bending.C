@@ -18,6 +18,49 @@ struct pointGeometry
     double b[2][2];     // covariant curvature
     double mixed[2][2]; // b_a^b
 };
+
+//- Symmetric part of a tensor
+void symmetric(const double full[2][2], double sym[2][2])
+{
+    sym[0][0] = full[0][0];
+    sym[1][1] = full[1][1];
+    sym[0][1] = sym[1][0] = 0.5 * (full[0][1] + full[1][0]);
+}
+
+//- Bending moments M^ab = -E_B sym((b_c^a - B_c^a) a^cb). B: mixed reference curvature
+void moments(const pointGeometry& g, const double modulus, const double* B,
+             double M[2][2])
+{
+    double full[2][2];
+    for (int a = 0; a < 2; ++a)
+    {
+        for (int b = 0; b < 2; ++b)
+        {
+            full[a][b] = 0;
+            for (int c = 0; c < 2; ++c)
+            {
+                full[a][b] -=
+                    modulus * (g.mixed[c][a] - B[2 * c + a]) * g.up[c][b];
+            }
+        }
+    }
+    symmetric(full, M);
+}
+
+//- sym(M^am b_m^b) of moments M
+void momentsTimesCurvature(const pointGeometry& g, const double M[2][2],
+                           double N[2][2])
+{
+    double full[2][2];
+    for (int a = 0; a < 2; ++a)
+    {
+        for (int b = 0; b < 2; ++b)
+        {
+            full[a][b] = M[a][0] * g.mixed[0][b] + M[a][1] * g.mixed[1][b];
+        }
+    }
+    symmetric(full, N);
+}
 } // namespace
 
 void Foam::bending::derivatives::fill(const sphericalHarmonics& grid,
@@ -125,36 +168,9 @@ void Foam::bending::addLoad(const double* coeffs, double* q) const
     each(harmonics_, d_,
          [&](const label k, const pointGeometry& g)
          {
-             // M^ab, and sym(M^am b_m^b)
-             double full[2][2], M[2][2], N[2][2];
-             for (int a = 0; a < 2; ++a)
-             {
-                 for (int b = 0; b < 2; ++b)
-                 {
-                     full[a][b] = 0;
-                     for (int c = 0; c < 2; ++c)
-                     {
-                         full[a][b] -=
-                             modulus_ *
-                             (g.mixed[c][a] - reference_[4 * k + 2 * c + a]) *
-                             g.up[c][b];
-                     }
-                 }
-             }
-             M[0][0] = full[0][0];
-             M[1][1] = full[1][1];
-             M[0][1] = M[1][0] = 0.5 * (full[0][1] + full[1][0]);
-             for (int a = 0; a < 2; ++a)
-             {
-                 for (int b = 0; b < 2; ++b)
-                 {
-                     full[a][b] =
-                         M[a][0] * g.mixed[0][b] + M[a][1] * g.mixed[1][b];
-                 }
-             }
-             N[0][0] = full[0][0];
-             N[1][1] = full[1][1];
-             N[0][1] = N[1][0] = 0.5 * (full[0][1] + full[1][0]);
+             double M[2][2], N[2][2];
+             moments(g, modulus_, &reference_[4 * k], M);
+             momentsTimesCurvature(g, M, N);
 
              // Factors of dx_a and H_ab(dx) in dW
              const double w = g.J * harmonics_.weight(k);

@@ -78,7 +78,7 @@ Foam::scalar Foam::capsuleReport::enoughMarkers(const scalar error) const
 
 Foam::scalar Foam::capsuleReport::errorOfCells(const bool nearField) const
 {
-    const scalar radius = group_.radius_ / cmptMax(group_.scene_.grid.h());
+    const scalar radius = cellsOfRadius();
     if (!group_.scene_.forceAtFaces || !group_.isMeasured() ||
         radius < leastRadius * (1 - 1e-6) ||
         !(nearField ? group_.nearFieldKnown_
@@ -92,89 +92,95 @@ Foam::scalar Foam::capsuleReport::errorOfCells(const bool nearField) const
            (fewer ? ofFewerDegrees : 0);
 }
 
-Foam::expectedErrors Foam::capsuleReport::errors(const flowScales& flow) const
+Foam::scalar Foam::capsuleReport::cellsOfRadius() const
 {
-    expectedErrors e{group_.name(), "D", {}};
-    const scalar radius = group_.radius_ / cmptMax(group_.scene_.grid.h());
-    if (group_.twoWay())
+    return group_.radius_ / cmptMax(group_.scene_.grid.h());
+}
+
+Foam::expectedError Foam::capsuleReport::cellError() const
+{
+    const scalar radius = cellsOfRadius();
+    string by("a/h " + number(radius) +
+              (group_.nBodies() > 1 ? ", each as if alone" : ""));
+    std::function<string(scalar)> remedy;
+    if (!group_.scene_.forceAtFaces)
+        by += ", force as an average of each cell";
+    else if (!group_.round_)
+        by += ", not measured on such shapes";
+    else if (group_.nucleated_)
+        by += ", not measured with a nucleus";
+    else if (group_.scene_.insideBodies)
+        by += ", not measured inside a capsule";
+    else if (radius < leastRadius * (1 - 1e-6))
+        by += ", not measured below " + number(leastRadius);
+    else if (group_.nearField_)
     {
-        string by("a/h " + number(radius) +
-                  (group_.nBodies() > 1 ? ", each as if alone" : ""));
-        std::function<string(scalar)> remedy;
-        if (!group_.scene_.forceAtFaces)
-            by += ", force as an average of each cell";
-        else if (!group_.round_)
-            by += ", not measured on such shapes";
-        else if (group_.nucleated_)
-            by += ", not measured with a nucleus";
-        else if (group_.scene_.insideBodies)
-            by += ", not measured inside a capsule";
-        else if (radius < leastRadius * (1 - 1e-6))
-            by += ", not measured below " + number(leastRadius);
-        else if (group_.nearField_)
-        {
-            by += group_.nearFieldKnown_ ? " with near field"
-                                         : ", near field beyond what is known";
-        }
-        else
-        {
-            by += string(group_.sphere_ ? "" : ", measured on spheres only") +
-                  " without near field, which makes stresses " +
-                  number(100 * ofStress(radius)) + " % too high";
-            remedy = [this](const scalar left)
-            {
-                scalar cells = leastRadius;
-                while (ofCells(cells) > left)
-                    cells *= 1.01;
-                return "cells of " + atMost(group_.radius_ / cells) +
-                       " m and smaller";
-            };
-        }
-        e.parts.push_back(
-            {"cells", errorOfCells(bool(group_.nearField_)), by, remedy});
-
-        const scalar Re = group_.scene_.rho * flow.rate * sqr(group_.radius_) /
-                          group_.scene_.mu;
-        if (group_.nearField_ && ofInertia(Re, radius) > 1e-3)
-        {
-            e.parts.push_back(
-                {"inertia", group_.isMeasured() ? ofInertia(Re, radius) : -1,
-                 "Re " + number(Re) + ", of the stress twice that",
-                 [=](const scalar left)
-                 {
-                     return "cells of " +
-                            atMost(group_.radius_ * left /
-                                   (radius * ofInertia(Re, radius))) +
-                            " m and smaller";
-                 }});
-        }
+        by += group_.nearFieldKnown_ ? " with near field"
+                                     : ", near field beyond what is known";
     }
-    const label degree = group_.harmonics().degree();
-    e.parts.push_back({"harmonics",
-                       group_.isMeasured() ? ofHarmonics(degree) : -1,
-                       "N = " + Foam::name(degree),
-                       [=](const scalar left)
-                       {
-                           const label more = enoughHarmonics(left);
-                           return more > degree && more <= 64
-                                      ? "harmonics " + Foam::name(more)
-                                      : string();
-                       }});
-    e.parts.push_back(
-        {"markers", ofMarkers(group_.markerSpacing_),
-         "up to " + number(group_.markerSpacing_) + " cells apart",
-         [this](const scalar left)
-         {
-             const scalar enough = enoughMarkers(left);
-             return enough < group_.markerSpacing_ &&
-                            ofMarkers(enough) <= left * (1 + 1e-9)
-                        ? "markerSpacing " + atMost(enough)
-                        : string();
-         }});
+    else
+    {
+        by += string(group_.sphere_ ? "" : ", measured on spheres only") +
+              " without near field, which makes stresses " +
+              number(100 * ofStress(radius)) + " % too high";
+        remedy = [this](const scalar left)
+        {
+            scalar cells = leastRadius;
+            while (ofCells(cells) > left)
+                cells *= 1.01;
+            return "cells of " + atMost(group_.radius_ / cells) +
+                   " m and smaller";
+        };
+    }
+    return {"cells", errorOfCells(bool(group_.nearField_)), by, remedy};
+}
 
-    // Adjusted steps of deformableBodyFoam keep to the limit of explicit motion
+Foam::expectedError Foam::capsuleReport::inertiaError(const scalar Re) const
+{
+    const scalar radius = cellsOfRadius();
+    return {"inertia", group_.isMeasured() ? ofInertia(Re, radius) : -1,
+            "Re " + number(Re) + ", of the stress twice that",
+            [=](const scalar left)
+            {
+                return "cells of " +
+                       atMost(group_.radius_ * left /
+                              (radius * ofInertia(Re, radius))) +
+                       " m and smaller";
+            }};
+}
+
+Foam::expectedError Foam::capsuleReport::harmonicsError() const
+{
+    const label degree = group_.harmonics().degree();
+    return {"harmonics", group_.isMeasured() ? ofHarmonics(degree) : -1,
+            "N = " + Foam::name(degree),
+            [=](const scalar left)
+            {
+                const label more = enoughHarmonics(left);
+                return more > degree && more <= 64
+                           ? "harmonics " + Foam::name(more)
+                           : string();
+            }};
+}
+
+Foam::expectedError Foam::capsuleReport::markerError() const
+{
+    return {"markers", ofMarkers(group_.markerSpacing_),
+            "up to " + number(group_.markerSpacing_) + " cells apart",
+            [this](const scalar left)
+            {
+                const scalar enough = enoughMarkers(left);
+                return enough < group_.markerSpacing_ &&
+                               ofMarkers(enough) <= left * (1 + 1e-9)
+                           ? "markerSpacing " + atMost(enough)
+                           : string();
+            }};
+}
+
+// Adjusted steps of deformableBodyFoam keep to the limit of explicit motion
+Foam::expectedError Foam::capsuleReport::stepError(const scalar rate) const
+{
     const membraneModel& law = group_.shell_->model();
-    const scalar rate = flow.rate;
     const scalar limit = group_.twoWay() && group_.scene_.forceAtFaces
                              ? group_.maxDeltaT()
                              : GREAT;
@@ -188,17 +194,36 @@ Foam::expectedErrors Foam::capsuleReport::errors(const flowScales& flow) const
     const bool known = rate > 0 && dt > 0 && dt < GREAT && !stiffArea;
     const auto largest = [rate](const scalar error)
     { return std::sqrt(error / ofStep(1)) / rate; };
-    e.parts.push_back(
-        {"step", known ? ofStep(rate * dt) : -1,
-         stiffArea
-             ? string("stabilised, not measured where the area is so stiff")
-         : known ? "deltaT times the rate of the flow is " + number(rate * dt)
-         : rate > 0 ? string("deltaT is adjusted")
-                    : string("the flow has no rate at the start"),
-         nullptr,
-         rate > 0 && !stiffArea ? std::function<scalar(scalar)>(largest)
-                                : nullptr,
-         [rate](const scalar dt) { return ofStep(rate * dt); }});
+    return {"step",
+            known ? ofStep(rate * dt) : -1,
+            stiffArea
+                ? string("stabilised, not measured where the area is so stiff")
+            : known
+                ? "deltaT times the rate of the flow is " + number(rate * dt)
+            : rate > 0 ? string("deltaT is adjusted")
+                       : string("the flow has no rate at the start"),
+            nullptr,
+            rate > 0 && !stiffArea ? std::function<scalar(scalar)>(largest)
+                                   : nullptr,
+            [rate](const scalar dt) { return ofStep(rate * dt); }};
+}
+
+Foam::expectedErrors Foam::capsuleReport::errors(const flowScales& flow) const
+{
+    expectedErrors e{group_.name(), "D", {}};
+    if (group_.twoWay())
+    {
+        e.parts.push_back(cellError());
+        const scalar Re = group_.scene_.rho * flow.rate * sqr(group_.radius_) /
+                          group_.scene_.mu;
+        if (group_.nearField_ && ofInertia(Re, cellsOfRadius()) > 1e-3)
+        {
+            e.parts.push_back(inertiaError(Re));
+        }
+    }
+    e.parts.push_back(harmonicsError());
+    e.parts.push_back(markerError());
+    e.parts.push_back(stepError(flow.rate));
     return e;
 }
 

@@ -4,6 +4,67 @@
 
 #include "capsuleGroup.H"
 
+namespace
+{
+using namespace Foam;
+using numbers = capsule::numbers;
+
+//- Change the velocity v so that the enclosed volume comes back to `volume`, by a tenth of
+//  what it lacks in a step: INT v.n dS = g.v. g: gradient of the volume g.x/3
+void keepVolume(const capsule& c, const scalar volume, const scalar dt,
+                numbers& v)
+{
+    const numbers& g = c.volumeGradient;
+    double gx = 0, gv = 0, gg = 0;
+    for (size_t j = 0; j < g.size(); ++j)
+    {
+        gx += g[j] * c.x[j];
+        gv += g[j] * v[j];
+        gg += g[j] * g[j];
+    }
+    gv -= 0.1 * (volume - gx / 3) / dt;
+    for (size_t j = 0; j < g.size(); ++j)
+    {
+        v[j] -= gv / gg * g[j];
+    }
+}
+
+//- Coefficients of the shape after dt, by Adams-Bashforth 2: x + dt ((1 + r/2) v - r/2 v_last).
+//  v: velocity; r: dt over the last step. False if some are not finite
+bool extrapolate(const capsule& c, const numbers& v, const scalar dt,
+                 const double r, numbers& next)
+{
+    bool finite = true;
+    for (size_t j = 0; j < next.size(); ++j)
+    {
+        const double step =
+            dt * ((1 + 0.5 * r) * v[j] - 0.5 * r * c.velocity[j]);
+        finite = finite && std::abs(step) < GREAT;
+        next[j] = c.x[j] + step;
+    }
+    return finite;
+}
+} // namespace
+
+void Foam::capsuleGroup::addNearField(const label i, const bodyStep& s,
+                                      numbers& velocity)
+{
+    const auto timing(scene_.effects.time("nearField"));
+    capsule& c = capsules_[i];
+    if (c.onFluid.empty())
+    {
+        vectorField F(markers_->size());
+        forcesOnFluid(i, s.time - s.dt, F.data());
+        nearLoad(c, F.cdata());
+        setNearSources(c);
+    }
+    nearField_->add(
+        c.x.data(), c.onFluid.data(), velocity.data(), c.nearMemory,
+        c.lastDeltaT > 0 ? c.lastDeltaT : s.dt,
+        [&](const std::vector<vector>& X, std::vector<vector>& u)
+        { Foam::add(corrections_, i, X.data(), X.size(), u.data()); });
+}
+
 Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
                                       const bodyStep& s)
 {
@@ -11,50 +72,16 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
     const auto timing(scene_.effects.time("membrane"));
     const label n = markers_->size();
     numbers next(initial_.size()), velocity(next.size());
-    vectorField F(nearField_ ? n : 0);
     string trouble;
 
     for (size_t i = 0; i < capsules_.size(); ++i, U += n)
     {
         capsule& c = capsules_[i];
         markers_->analysis(U, velocity.data());
-        if (nearField_)
-        {
-            const auto timing(scene_.effects.time("nearField"));
-            if (c.onFluid.empty())
-            {
-                forcesOnFluid(i, s.time - dt, F.data());
-                nearLoad(c, F.cdata());
-                setNearSources(c);
-            }
-            nearField_->add(
-                c.x.data(), c.onFluid.data(), velocity.data(), c.nearMemory,
-                c.lastDeltaT > 0 ? c.lastDeltaT : dt,
-                [&](const std::vector<vector>& X, std::vector<vector>& u)
-                { Foam::add(corrections_, i, X.data(), X.size(), u.data()); });
-        }
-
-        // The volume enclosed is g.x/3 and changes by g.v. The net flow through the
-        // membrane is zero, but for a tenth a step of what the volume lacks
-        const numbers& g = c.volumeGradient;
-        double gx = 0, gv = 0, gg = 0;
-        for (size_t j = 0; j < g.size(); ++j)
-        {
-            gx += g[j] * c.x[j];
-            gv += g[j] * velocity[j];
-            gg += g[j] * g[j];
-        }
-        gv -= 0.1 * (referenceVolume_ - gx / 3) / dt;
+        if (nearField_) addNearField(i, s, velocity);
+        keepVolume(c, referenceVolume_, dt, velocity);
         const double r = c.lastDeltaT > 0 ? dt / c.lastDeltaT : 0;
-        bool finite = true;
-        for (size_t j = 0; j < g.size(); ++j)
-        {
-            velocity[j] -= gv / gg * g[j];
-            const double step =
-                dt * ((1 + 0.5 * r) * velocity[j] - 0.5 * r * c.velocity[j]);
-            finite = finite && std::abs(step) < GREAT;
-            next[j] = c.x[j] + step;
-        }
+        const bool finite = extrapolate(c, velocity, dt, r, next);
         if (finite) motion_->correct(c, next, dt, r, referenceVolume_);
         for (size_t j = 0; j < filter_.size(); ++j)
         {

@@ -36,6 +36,47 @@ Foam::scalar furthest(const Foam::sphericalHarmonics& grid,
     }
     return extent;
 }
+
+//- Entry dealiasing: latitudes of the load grid over the degree
+Foam::scalar readDealiasing(const Foam::dictionary& dict)
+{
+    using namespace Foam;
+    const scalar dealiasing = dict.getOrDefault<scalar>("dealiasing", 1.5);
+    if (dealiasing < 1 || dealiasing > 4)
+    {
+        refuse(dict, "dealiasing", Foam::name(dealiasing), "1 to 4");
+    }
+    return dealiasing;
+}
+
+//- Factors of the coefficients (nCoeffs x 3) by the entry filter; none: empty
+std::vector<double> readFilter(const Foam::dictionary& dict,
+                               const Foam::sphericalHarmonics& grid)
+{
+    using namespace Foam;
+    const scalar strength = dict.getOrDefault<scalar>("filter", 0);
+    if (strength < 0)
+    {
+        refuse(dict, "filter", Foam::name(strength), "0 and greater");
+    }
+    if (strength == 0) return {};
+
+    const label degree = grid.degree();
+    std::vector<double> filter(3 * grid.nCoeffs());
+    for (label n = 0; n <= degree; ++n)
+    {
+        const double f = std::exp(-strength * std::pow(double(n) / degree, 8));
+        for (label m = 0; m <= n; ++m)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                filter[3 * grid.index(n, m, false) + d] = f;
+                if (m) filter[3 * grid.index(n, m, true) + d] = f;
+            }
+        }
+    }
+    return filter;
+}
 } // namespace
 
 Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
@@ -94,20 +135,12 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                                   0.5 * (1 + viscosityRatio_) * scene_.mu,
                                   scene_.effects},
                                  scene_, nearField_.get());
-    setFilter(dict);
+    filter_ = readFilter(dict, harmonics());
     warnOfHarmonics(dict, degree, moved);
     readStart(dict);
     judgeSize(dict);
 
-    scene_.effects.declare("membrane", true,
-                           dict.subDict("membrane").get<word>("law") +
-                               ", N = " + Foam::name(degree) + ", " +
-                               Foam::name(nBodies()) + " capsules, " +
-                               Foam::name(markers_->size()) + " markers each");
-    const scalar modulus = shell_->bendingModulus();
-    scene_.effects.declare("bending", modulus > 0,
-                           modulus > 0 ? "modulus " + Foam::name(modulus)
-                                       : string("no bending modulus given"));
+    declareEffects(dict);
 }
 
 Foam::capsuleGroup::~capsuleGroup() {}
@@ -128,16 +161,6 @@ Foam::label Foam::capsuleGroup::readDegree(const dictionary& dict,
         refuse(dict, "harmonics", Foam::name(degree), "4 to 64");
     }
     return degree;
-}
-
-Foam::scalar Foam::capsuleGroup::readDealiasing(const dictionary& dict)
-{
-    const scalar dealiasing = dict.getOrDefault<scalar>("dealiasing", 1.5);
-    if (dealiasing < 1 || dealiasing > 4)
-    {
-        refuse(dict, "dealiasing", Foam::name(dealiasing), "1 to 4");
-    }
-    return dealiasing;
 }
 
 void Foam::capsuleGroup::readGravity(const dictionary& dict) const
@@ -264,29 +287,4 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
                unknown;
     }
     scene_.effects.declare("nearField", on, note);
-}
-
-void Foam::capsuleGroup::setFilter(const dictionary& dict)
-{
-    const scalar strength = dict.getOrDefault<scalar>("filter", 0);
-    if (strength < 0)
-    {
-        refuse(dict, "filter", Foam::name(strength), "0 and greater");
-    }
-    if (strength == 0) return;
-
-    const label degree = harmonics().degree();
-    filter_.resize(initial_.size());
-    for (label n = 0; n <= degree; ++n)
-    {
-        const double f = std::exp(-strength * std::pow(double(n) / degree, 8));
-        for (label m = 0; m <= n; ++m)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                filter_[3 * harmonics().index(n, m, false) + d] = f;
-                if (m) filter_[3 * harmonics().index(n, m, true) + d] = f;
-            }
-        }
-    }
 }

@@ -119,3 +119,16 @@ void Foam::capsuleGroup::judgeSize(const dictionary& dict) const
     }
     judge(dict, ratios);
 }
+
+void Foam::capsuleGroup::declareEffects(const dictionary& dict) const
+{
+    scene_.effects.declare("membrane", true,
+                           dict.subDict("membrane").get<word>("law") +
+                               ", N = " + Foam::name(harmonics().degree()) +
+                               ", " + Foam::name(nBodies()) + " capsules, " +
+                               Foam::name(markers_->size()) + " markers each");
+    const scalar modulus = shell_->bendingModulus();
+    scene_.effects.declare("bending", modulus > 0,
+                           modulus > 0 ? "modulus " + Foam::name(modulus)
+                                       : string("no bending modulus given"));
+}

@@ -11,6 +11,7 @@
 #include "triSurface.H"
 #include "triSurfaceSearch.H"
 #include <cmath>
+#include <functional>
 
 namespace
 {
@@ -154,10 +155,13 @@ public:
     }
 };
 
-//- Coefficients of a body of a restart file, relative to their mean
-void savedShape(const dictionary& dict, const sphericalHarmonics& grid,
-                std::vector<double>& coeffs)
+//- Coefficients of a body of a restart file, relative to their mean, times the entry scale.
+//  turn: rotation of the shape
+std::vector<double> savedShape(const dictionary& dict,
+                               const sphericalHarmonics& grid,
+                               const tensor& turn)
 {
+    const scalar scale = dict.getOrDefault<scalar>("scale", 1);
     const fileName file(fileOf(dict));
     const auto refuseState = [&](const string& why)
     { refuse(dict, "file", file, "a state of bodies with " + why); };
@@ -176,18 +180,81 @@ void savedShape(const dictionary& dict, const sphericalHarmonics& grid,
     const label N = capsule::degreeOf(states[body]);
     if (N < 1) refuseState("coefficients of capsules");
     const sphericalHarmonics other(N, N + 2);
+    std::vector<double> coeffs(3 * grid.nCoeffs());
     for (int n = 1; n <= min(N, label(grid.degree())); ++n)
     {
         for (int m = 0; m <= n; ++m)
         {
             for (int sine = 0; sine <= (m ? 1 : 0); ++sine)
             {
-                std::copy_n(states[body].cdata() + 1 +
-                                3 * other.index(n, m, sine),
-                            3, &coeffs[3 * grid.index(n, m, sine)]);
+                const scalar* x =
+                    states[body].cdata() + 1 + 3 * other.index(n, m, sine);
+                const vector turned(turn & vector(x[0], x[1], x[2]));
+                for (direction d = 0; d < 3; ++d)
+                {
+                    coeffs[3 * grid.index(n, m, sine) + d] = scale * turned[d];
+                }
             }
         }
     }
+    return coeffs;
+}
+
+//- Point of a surface [m] in each direction of the unit sphere
+using pointOf = std::function<vector(const vector&)>;
+
+//- Shapes of the types sphere, ellipsoid and biconcave
+pointOf sphere(const dictionary& dict)
+{
+    checkEntries(dict, {"type", "radius", "axis"});
+    const scalar R = readPositive(dict, "radius", dimLength);
+    return [=](const vector& e) { return R * e; };
+}
+
+pointOf ellipsoid(const dictionary& dict)
+{
+    checkEntries(dict, {"type", "semiAxes", "axis"});
+    const vector s(dict.get<vector>("semiAxes"));
+    if (!(cmptMin(s) > 0))
+    {
+        refuse(dict, "semiAxes", Foam::name(cmptMin(s)),
+               "three numbers greater than 0");
+    }
+    return [=](const vector& e) { return cmptMultiply(s, e); };
+}
+
+pointOf biconcave(const dictionary& dict)
+{
+    checkEntries(dict, {"type", "radius", "axis"});
+    const scalar R = readPositive(dict, "radius", dimLength);
+    return [=](const vector& e)
+    {
+        const scalar r2 = sqr(e.x()) + sqr(e.y());
+        return R * vector(e.x(), e.y(),
+                          0.5 * e.z() * (0.207 + 2.003 * r2 - 1.123 * sqr(r2)));
+    };
+}
+
+//- Coefficients (nCoeffs x 3) of a shape given by its points. turn: rotation of the shape
+std::vector<double> expand(const pointOf& shape, const sphericalHarmonics& grid,
+                           const tensor& turn)
+{
+    const int n = grid.nPoints();
+    std::vector<double> values(3 * n), coeffs(3 * grid.nCoeffs());
+    for (int k = 0; k < n; ++k)
+    {
+        const double t = grid.theta(k / grid.nPhi());
+        const double p = grid.phi(k % grid.nPhi());
+        const vector x(turn &
+                       shape(vector(std::sin(t) * std::cos(p),
+                                    std::sin(t) * std::sin(p), std::cos(t))));
+        for (direction d = 0; d < 3; ++d)
+        {
+            values[d * n + k] = x[d];
+        }
+    }
+    grid.analysis(values.data(), coeffs.data());
+    return coeffs;
 }
 } // namespace
 
@@ -199,79 +266,16 @@ std::vector<double> Foam::initialShape(const dictionary& dict,
     if (!(mag(axis) > 0)) refuse(dict, "axis", "(0 0 0)", "a direction");
     const tensor turn(turnTo(axis / mag(axis)));
 
-    const int n = grid.nPoints();
-    std::vector<double> values(3 * n), coeffs(3 * grid.nCoeffs());
-    const auto make = [&](const auto& map)
-    {
-        for (int k = 0; k < n; ++k)
-        {
-            const double t = grid.theta(k / grid.nPhi());
-            const double p = grid.phi(k % grid.nPhi());
-            const vector x(turn &
-                           map(vector(std::sin(t) * std::cos(p),
-                                      std::sin(t) * std::sin(p), std::cos(t))));
-            for (direction d = 0; d < 3; ++d)
-            {
-                values[d * n + k] = x[d];
-            }
-        }
-        grid.analysis(values.data(), coeffs.data());
-    };
-
-    if (type == "sphere")
-    {
-        checkEntries(dict, {"type", "radius", "axis"});
-        const scalar R = readPositive(dict, "radius", dimLength);
-        make([&](const vector& e) { return vector(R * e); });
-    }
-    else if (type == "ellipsoid")
-    {
-        checkEntries(dict, {"type", "semiAxes", "axis"});
-        const vector s(dict.get<vector>("semiAxes"));
-        if (!(cmptMin(s) > 0))
-        {
-            refuse(dict, "semiAxes", Foam::name(cmptMin(s)),
-                   "three numbers greater than 0");
-        }
-        make([&](const vector& e) { return vector(cmptMultiply(s, e)); });
-    }
-    else if (type == "biconcave")
-    {
-        checkEntries(dict, {"type", "radius", "axis"});
-        const scalar R = readPositive(dict, "radius", dimLength);
-        make(
-            [&](const vector& e)
-            {
-                const scalar r2 = sqr(e.x()) + sqr(e.y());
-                return R * vector(e.x(), e.y(),
-                                  0.5 * e.z() *
-                                      (0.207 + 2.003 * r2 - 1.123 * sqr(r2)));
-            });
-    }
-    else if (type == "fromFile")
-    {
-        checkEntries(dict, {"type", "file", "scale", "axis", "group", "body"});
-        if (dict.found("group"))
-        {
-            const scalar scale = dict.getOrDefault<scalar>("scale", 1);
-            savedShape(dict, grid, coeffs);
-            for (int i = 0; i < grid.nCoeffs(); ++i)
-            {
-                const vector x(coeffs[3 * i], coeffs[3 * i + 1],
-                               coeffs[3 * i + 2]);
-                for (direction d = 0; d < 3; ++d)
-                {
-                    coeffs[3 * i + d] = scale * (turn & x)[d];
-                }
-            }
-            return coeffs;
-        }
-        const starSurface surface(dict);
-        make([&](const vector& e) { return surface.pointAlong(e); });
-    }
-    else
+    if (type == "sphere") return expand(sphere(dict), grid, turn);
+    if (type == "ellipsoid") return expand(ellipsoid(dict), grid, turn);
+    if (type == "biconcave") return expand(biconcave(dict), grid, turn);
+    if (type != "fromFile")
     {
         refuse(dict, "type", type, "(sphere ellipsoid biconcave fromFile)");
     }
-    return coeffs;
+    checkEntries(dict, {"type", "file", "scale", "axis", "group", "body"});
+    if (dict.found("group")) return savedShape(dict, grid, turn);
+    const starSurface surface(dict);
+    return expand([&](const vector& e) { return surface.pointAlong(e); }, grid,
+                  turn);
 }
