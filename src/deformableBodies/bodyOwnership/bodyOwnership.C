@@ -93,10 +93,9 @@ Foam::labelList Foam::bodyOwnership::shares(const UList<labelVector>& cells,
     return to;
 }
 
-void Foam::bodyOwnership::migrate(PtrList<bodyGroup>& groups)
+Foam::List<Foam::labelList>
+Foam::bodyOwnership::newOwners(const PtrList<bodyGroup>& groups) const
 {
-    if (!Pstream::parRun()) return;
-
     DynamicList<point> centres;
     forAll(groups, g)
     {
@@ -121,7 +120,14 @@ void Foam::bodyOwnership::migrate(PtrList<bodyGroup>& groups)
         to[g] = shares(SubList<labelVector>(cells, size, first), n[g]);
         first += size;
     }
-    // Message of each body that leaves: group, number, size of its state, state
+    return to;
+}
+
+// Message of each body: group, number, size of its state, state
+Foam::label Foam::bodyOwnership::release(PtrList<bodyGroup>& groups,
+                                         const List<labelList>& to,
+                                         List<scalarField>& out) const
+{
     List<DynamicList<scalar>> leaving(neighbours_.ranks().size());
     label nLeaving = 0;
     forAll(groups, g)
@@ -139,26 +145,41 @@ void Foam::bodyOwnership::migrate(PtrList<bodyGroup>& groups)
             ++nLeaving;
         }
     }
-    reduce(nLeaving, sumOp<label>());
-    if (nLeaving == 0) return;
-    handedOver_ += nLeaving;
-
-    List<scalarField> out(leaving.size()), in;
+    out.setSize(leaving.size());
     forAll(out, r)
     {
         out[r] = scalarField(leaving[r]);
     }
-    neighbours_.exchange(out, in);
-    for (const scalarField& from : in)
+    return nLeaving;
+}
+
+void Foam::bodyOwnership::insert(PtrList<bodyGroup>& groups,
+                                 const scalarField& bodies)
+{
+    for (label at = 0; at < bodies.size();)
     {
-        for (label cursor = 0; cursor < from.size();)
-        {
-            const label g = label(from[cursor]), body = label(from[cursor + 1]),
-                        size = label(from[cursor + 2]);
-            groups[g].insert(
-                body, scalarList(SubList<scalar>(from, size, cursor + 3)),
-                dictionary::null);
-            cursor += 3 + size;
-        }
+        const label g = label(bodies[at]), body = label(bodies[at + 1]),
+                    size = label(bodies[at + 2]);
+        groups[g].insert(body,
+                         scalarList(SubList<scalar>(bodies, size, at + 3)),
+                         dictionary::null);
+        at += 3 + size;
+    }
+}
+
+void Foam::bodyOwnership::migrate(PtrList<bodyGroup>& groups)
+{
+    if (!Pstream::parRun()) return;
+
+    List<scalarField> out, in;
+    const label nLeaving =
+        returnReduce(release(groups, newOwners(groups), out), sumOp<label>());
+    if (nLeaving == 0) return;
+    handedOver_ += nLeaving;
+
+    neighbours_.exchange(out, in);
+    for (const scalarField& bodies : in)
+    {
+        insert(groups, bodies);
     }
 }

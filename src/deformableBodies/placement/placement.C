@@ -73,11 +73,15 @@ struct orientation
         return std::cos(angle) * mean + std::sin(angle) * away / mag(away);
     }
 };
-} // namespace
 
-Foam::placement::placement(const dictionary& group, const word& name,
-                           const solidForm& form, const scalar volume,
-                           const uniformGrid& grid, packing& all)
+//- FatalIOError naming the entry placement
+void refusePlacement(const dictionary& group, const string& allowed)
+{
+    refuse(group, "placement", valueOf(*group.findEntry("placement")), allowed);
+}
+
+//- Entry placement; FatalIOError if its entries do not go together
+const dictionary& readPlacement(const dictionary& group)
 {
     const dictionary& dict =
         readDict(group, "placement", "type random; number 200;");
@@ -95,82 +99,101 @@ Foam::placement::placement(const dictionary& group, const word& name,
     }
     const word type(dict.get<word>("type"));
     if (type != "random") refuse(dict, "type", type, "(random)");
-
     if (dict.found("number") == dict.found("volumeFraction"))
     {
-        refuse(group, "placement", valueOf(*group.findEntry("placement")),
-               "a number of bodies or a volumeFraction, one of the two");
+        refusePlacement(
+            group, "a number of bodies or a volumeFraction, one of the two");
     }
-    const scalar box = cmptProduct(grid.length());
-    if (2 * form.circumradius() > cmptMax(grid.length()))
-    {
-        refuse(group, "placement", valueOf(*group.findEntry("placement")),
-               "bodies shorter than the box: these are " +
-                   Foam::name(2 * form.circumradius()) + " long");
-    }
+    return dict;
+}
 
-    // At least one cell for each body, so that no units give an endless number
+//- Number of bodies of that volume [m^3] from the entries number or volumeFraction. At most
+//  one body to each cell, so that no units give an endless number
+label numberOf(const dictionary& dict, const scalar volume,
+               const uniformGrid& grid)
+{
+    const scalar box = cmptProduct(grid.length());
     const scalar most = min(box / volume, box / grid.cellVolume());
-    label number = 0;
     if (dict.found("number"))
     {
-        number = dict.get<label>("number");
+        const label number = dict.get<label>("number");
         if (number < 1 || number > most)
         {
             refuse(dict, "number", Foam::name(number),
                    "1 to " + Foam::name(most) +
                        ", which are as large as the box, or one to each cell");
         }
+        return number;
     }
-    else
+    const scalar fraction = readPositive(dict, "volumeFraction", dimless);
+    if (fraction >= 1)
     {
-        const scalar fraction = readPositive(dict, "volumeFraction", dimless);
-        if (fraction >= 1)
-        {
-            refuse(dict, "volumeFraction", Foam::name(fraction), "below 1");
-        }
-        const scalar n = fraction * box / volume;
-        if (n < 0.5 || n > most)
-        {
-            refuse(dict, "volumeFraction",
-                   Foam::name(fraction) + ", which are " + Foam::name(n) +
-                       " bodies",
-                   "one body to " + Foam::name(most) + ", one to each cell");
-        }
-        number = label(n + 0.5);
+        refuse(dict, "volumeFraction", Foam::name(fraction), "below 1");
     }
-    const scalar fraction = number * volume / box;
+    const scalar n = fraction * box / volume;
+    if (n < 0.5 || n > most)
+    {
+        refuse(dict, "volumeFraction",
+               Foam::name(fraction) + ", which are " + Foam::name(n) +
+                   " bodies",
+               "one body to " + Foam::name(most) + ", one to each cell");
+    }
+    return label(n + 0.5);
+}
 
-    scalar gap = 0.5 * cmptMin(grid.h());
-    if (dict.found("minimumGap"))
+//- Entry minimumGap: distance between the solids [m], by default half a cell
+scalar readGap(const dictionary& dict, const uniformGrid& grid)
+{
+    if (!dict.found("minimumGap")) return 0.5 * cmptMin(grid.h());
+    const scalar gap = readNumber(dict, "minimumGap", dimLength);
+    if (!(gap >= 0))
     {
-        gap = readNumber(dict, "minimumGap", dimLength);
-        if (!(gap >= 0))
-        {
-            refuse(dict, "minimumGap", Foam::name(gap), "0 and greater");
-        }
+        refuse(dict, "minimumGap", Foam::name(gap), "0 and greater");
     }
+    return gap;
+}
+
+//- FatalIOError: bodies of that volume fraction were placed at a fraction size of their
+//  size only, or not at all (0)
+void refuseCrowd(const dictionary& dict, const label number,
+                 const scalar fraction, const scalar gap, const scalar size)
+{
+    const bool byNumber = dict.found("number");
+    refuse(dict, byNumber ? "number" : "volumeFraction",
+           byNumber ? Foam::name(number) : Foam::name(fraction),
+           size == 0
+               ? string("as much as there is room for: not even bodies of a "
+                        "fifth of the size were placed")
+               : "as much as there is room for: all bodies were placed at " +
+                     Foam::name(size) +
+                     " of their size, a volume fraction of " +
+                     Foam::name(pow3(size) * fraction) + " instead of " +
+                     Foam::name(fraction) + ". A minimumGap below " +
+                     Foam::name(gap) + " leaves more");
+}
+} // namespace
+
+Foam::placement::placement(const dictionary& group, const word& name,
+                           const solidForm& form, const scalar volume,
+                           const uniformGrid& grid, packing& all)
+{
+    const dictionary& dict = readPlacement(group);
+    if (2 * form.circumradius() > cmptMax(grid.length()))
+    {
+        refusePlacement(group, "bodies shorter than the box: these are " +
+                                   Foam::name(2 * form.circumradius()) +
+                                   " long");
+    }
+    const label number = numberOf(dict, volume, grid);
+    const scalar fraction = number * volume / cmptProduct(grid.length());
+    const scalar gap = readGap(dict, grid);
     const orientation orient(dict);
     Random random(dict.getOrDefault<label>("seed", 1));
     const scalar size = all.fill(
         number, form, gap, orient.kind == orientation::RANDOM,
         [&]() { return orient.draw(random); }, random, name);
-    if (size < 1)
-    {
-        const bool byNumber = dict.found("number");
-        refuse(
-            dict, byNumber ? "number" : "volumeFraction",
-            byNumber ? Foam::name(number) : Foam::name(fraction),
-            size == 0
-                ? string("as much as there is room for: not even bodies of a "
-                         "fifth of the size were placed")
-                : "as much as there is room for: all bodies were placed at " +
-                      Foam::name(size) +
-                      " of their size, a volume fraction of " +
-                      Foam::name(pow3(size) * fraction) + " instead of " +
-                      Foam::name(fraction) + ". A minimumGap below " +
-                      Foam::name(gap) + " leaves more");
-    }
+    if (size < 1) refuseCrowd(dict, number, fraction, gap, size);
+
     centres_.setSize(number);
     directions_.setSize(number);
     for (label i = 0; i < number; ++i)

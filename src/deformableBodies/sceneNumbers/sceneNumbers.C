@@ -7,6 +7,71 @@
 #include <iomanip>
 #include <sstream>
 
+namespace
+{
+using namespace Foam;
+
+//- Begin a line of the table
+std::string beginLine(const std::string& name)
+{
+    std::ostringstream os;
+    os << "    " << std::left << std::setw(18) << name;
+    return os.str();
+}
+
+//- Number with four digits
+string digits(const scalar x)
+{
+    OStringStream os;
+    os.precision(4);
+    os << x;
+    return os.str();
+}
+
+string sizes(const vector& v)
+{
+    return digits(v.x()) + " x " + digits(v.y()) + " x " + digits(v.z());
+}
+
+//- Line of the box: size, sides, cells
+void printBox(const uniformGrid& grid)
+{
+    string closed;
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (!grid.periodic(d))
+            closed += string(" ") + vector::componentNames[d];
+    }
+    const vector h(grid.h());
+    const labelVector& n = grid.n();
+    Info << beginLine("box").c_str() << sizes(grid.length()).c_str() << " m, "
+         << (closed.empty() ? "periodic" : "sides in" + closed).c_str() << "; "
+         << n.x() << " x " << n.y() << " x " << n.z() << " cells, h "
+         << (cmptMax(h) < cmptMin(h) * (1 + 1e-6) ? digits(h.x()) : sizes(h))
+                .c_str()
+         << " m" << nl;
+}
+
+//- Lines of the fluid and of the flow; from: origin of the rate
+void printFlow(const scalar rho, const fluidViscosity& nu,
+               const flowScales& flow, const string& from)
+{
+    Info << beginLine("fluid").c_str() << "rho " << digits(rho).c_str()
+         << " kg/m^3, mu " << digits(rho * nu.value()).c_str() << " Pa s, nu "
+         << digits(nu.value()).c_str() << " m^2/s"
+         << (nu.source().empty() ? "" : " (" + nu.source() + ")").c_str() << nl
+         << beginLine("flow").c_str();
+    if (flow.speed > 0)
+        Info << "up to " << digits(flow.speed).c_str() << " m/s";
+    else
+        Info << "at rest: no Re, no Ca";
+    if (flow.rate > 0)
+        Info << ", rate " << digits(flow.rate).c_str() << " 1/s ("
+             << from.c_str() << ')';
+    Info << nl;
+}
+} // namespace
+
 Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh, string& from)
 {
     flowScales s;
@@ -69,66 +134,24 @@ Foam::flowScales Foam::printSceneNumbers(const fvMesh& mesh, const scalar rho,
                                          const fluidViscosity& nu,
                                          const PtrList<bodyGroup>& groups)
 {
-    const uniformGrid& grid = uniformGrid::New(mesh);
-    const auto line = [](const std::string& name)
-    {
-        std::ostringstream os;
-        os << "    " << std::left << std::setw(18) << name;
-        return os.str();
-    };
-    const auto digits = [](const scalar x)
-    {
-        OStringStream os;
-        os.precision(4);
-        os << x;
-        return os.str();
-    };
-    const auto sizes = [&](const vector& v)
-    { return digits(v.x()) + " x " + digits(v.y()) + " x " + digits(v.z()); };
-
-    string closed;
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (!grid.periodic(d))
-            closed += string(" ") + vector::componentNames[d];
-    }
-    const vector h(grid.h());
-    const labelVector& n = grid.n();
-    Info << nl << "Scene in numbers" << nl << line("box").c_str()
-         << sizes(grid.length()).c_str() << " m, "
-         << (closed.empty() ? "periodic" : "sides in" + closed).c_str() << "; "
-         << n.x() << " x " << n.y() << " x " << n.z() << " cells, h "
-         << (cmptMax(h) < cmptMin(h) * (1 + 1e-6) ? digits(h.x()) : sizes(h))
-                .c_str()
-         << " m" << nl;
+    Info << nl << "Scene in numbers" << nl;
+    printBox(uniformGrid::New(mesh));
 
     bool fluid = false;
     forAll(groups, g)
     {
         fluid = fluid || !groups[g].alone();
     }
-    string from;
     flowScales flow;
     if (fluid)
     {
+        string from;
         flow = scalesAtStart(mesh, from);
-        Info << line("fluid").c_str() << "rho " << digits(rho).c_str()
-             << " kg/m^3, mu " << digits(rho * nu.value()).c_str()
-             << " Pa s, nu " << digits(nu.value()).c_str() << " m^2/s"
-             << (nu.source().empty() ? "" : " (" + nu.source() + ")").c_str()
-             << nl << line("flow").c_str();
-        if (flow.speed > 0)
-            Info << "up to " << digits(flow.speed).c_str() << " m/s";
-        else
-            Info << "at rest: no Re, no Ca";
-        if (flow.rate > 0)
-            Info << ", rate " << digits(flow.rate).c_str() << " 1/s ("
-                 << from.c_str() << ')';
-        Info << nl;
+        printFlow(rho, nu, flow, from);
     }
     forAll(groups, g)
     {
-        Info << line(groups[g].name()).c_str()
+        Info << beginLine(groups[g].name()).c_str()
              << groups[g].report().describe(flow).c_str() << nl;
     }
     Info << endl;
