@@ -3,24 +3,20 @@
 #include "boxLattice.H"
 #include <vector>
 
-namespace Foam
+namespace
 {
+using namespace Foam;
+
 // blockMesh writes 10 digits: positions carry relative errors of 1e-10 of the
 // box, which may be 1e-7 of a cell. Anything graded on purpose exceeds this.
-static const scalar positionTolerance = 1e-4;
-} // namespace Foam
+const scalar positionTolerance = 1e-4;
 
-Foam::string Foam::boxLattice::recognise(const polyMesh& mesh)
+//- Smallest and largest sizes of the cells' bounding boxes [m]; false if some cells are no
+//  hexahedra (collective). By faces: the mesh's lists of cell faces and points, once made,
+//  stay, and take more memory than the flow
+bool cellSizes(const polyMesh& mesh, vector& smallest, vector& largest)
 {
-    const boundBox bounds(mesh.points(), true);
-    origin = bounds.min();
-
     const label nCells = mesh.nCells();
-    const vectorField& centres = mesh.cellCentres();
-
-    // Cell size from the bounding boxes of the cells themselves. By faces:
-    // the mesh's lists of cell faces and points, once made, stay, and take more
-    // memory than the flow
     vectorField lower(nCells, vector::max), upper(nCells, vector::min);
     std::vector<direction> nFaces(nCells, 0);
     forAll(mesh.faces(), facei)
@@ -35,22 +31,54 @@ Foam::string Foam::boxLattice::recognise(const polyMesh& mesh)
         add(mesh.faceOwner()[facei]);
         if (facei < mesh.nInternalFaces()) add(mesh.faceNeighbour()[facei]);
     }
-    vector hMin(vector::max), hMax(vector::min);
+    smallest = vector::max;
+    largest = vector::min;
     bool hexes = true;
     for (label celli = 0; celli < nCells; ++celli)
     {
         hexes = hexes && nFaces[celli] == 6;
-        hMin = min(hMin, upper[celli] - lower[celli]);
-        hMax = max(hMax, upper[celli] - lower[celli]);
+        smallest = min(smallest, upper[celli] - lower[celli]);
+        largest = max(largest, upper[celli] - lower[celli]);
     }
-    lower.clear();
-    upper.clear();
     reduce(hexes, andOp<bool>());
-    reduce(hMin, minOp<vector>());
-    reduce(hMax, maxOp<vector>());
+    reduce(smallest, minOp<vector>());
+    reduce(largest, maxOp<vector>());
+    return hexes;
+}
+} // namespace
 
-    if (!hexes) return "some cells are not hexahedra with six faces";
+bool Foam::boxLattice::number(const polyMesh& mesh)
+{
+    const vectorField& centres = mesh.cellCentres();
+    const scalar volume = h.x() * h.y() * h.z();
+    cells.setSize(mesh.nCells());
+    bool aligned = true;
+    forAll(cells, celli)
+    {
+        const vector c(centres[celli] - origin);
+        for (direction d = 0; d < 3; ++d)
+        {
+            const scalar at = c[d] / h[d] - 0.5;
+            cells[celli][d] = label(floor(at + 0.5));
+            aligned =
+                aligned && mag(at - cells[celli][d]) < positionTolerance * n[d];
+        }
+        aligned = aligned && mag(mesh.cellVolumes()[celli] / volume - 1) <
+                                 10 * positionTolerance;
+    }
+    return returnReduce(aligned, andOp<bool>());
+}
 
+Foam::string Foam::boxLattice::recognise(const polyMesh& mesh)
+{
+    const boundBox bounds(mesh.points(), true);
+    origin = bounds.min();
+
+    vector hMin, hMax;
+    if (!cellSizes(mesh, hMin, hMax))
+    {
+        return "some cells are not hexahedra with six faces";
+    }
     for (direction d = 0; d < 3; ++d)
     {
         if (hMax[d] - hMin[d] > positionTolerance * hMin[d])
@@ -64,33 +92,16 @@ Foam::string Foam::boxLattice::recognise(const polyMesh& mesh)
     }
 
     // Boxes of equal size that fill the bounding box on lattice positions
-    cells.setSize(nCells);
-    const scalar volume = h.x() * h.y() * h.z();
-    bool aligned = true;
-    for (label celli = 0; celli < nCells; ++celli)
+    if (!number(mesh))
     {
-        const vector c(centres[celli] - origin);
-        for (direction d = 0; d < 3; ++d)
-        {
-            const scalar at = c[d] / h[d] - 0.5;
-            cells[celli][d] = label(floor(at + 0.5));
-            aligned =
-                aligned && mag(at - cells[celli][d]) < positionTolerance * n[d];
-        }
-        aligned = aligned && mag(mesh.cellVolumes()[celli] / volume - 1) <
-                                 10 * positionTolerance;
+        return "the cells are not boxes along the coordinate axes";
     }
-
-    reduce(aligned, andOp<bool>());
-    if (!aligned) return "the cells are not boxes along the coordinate axes";
-
-    const label nAll = returnReduce(nCells, sumOp<label>());
+    const label nAll = returnReduce(cells.size(), sumOp<label>());
     if (nAll != n.x() * n.y() * n.z())
     {
         return "the " + Foam::name(nAll) +
                " cells do not fill their bounding box of " + Foam::name(n.x()) +
                " x " + Foam::name(n.y()) + " x " + Foam::name(n.z());
     }
-
     return string::null;
 }

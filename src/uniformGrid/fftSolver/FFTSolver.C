@@ -20,21 +20,39 @@ Foam::FFTSolver::FFTSolver(const word& fieldName, const lduMatrix& matrix,
 {
 }
 
+void Foam::FFTSolver::requireConstant(const boxMatrix& box) const
+{
+    if (box.constant()) return;
+    FatalErrorInFunction
+        << "FFT cannot solve for " << fieldName_ << ": " << box.reason().c_str()
+        << nl << "    Use  solver PCG; preconditioner FFT;  for a symmetric "
+        << "matrix or  solver PBiCGStab; preconditioner FFT;  otherwise, "
+        << "in fvSolution" << exit(FatalError);
+}
+
+void Foam::FFTSolver::requireSolved(const solverPerformance& performance,
+                                    const scalar reached,
+                                    const scalar roundOff) const
+{
+    const scalar wanted =
+        max(tolerance_, relTol_ * performance.initialResidual());
+    if (reached <= max(wanted, roundOff)) return;
+    FatalErrorInFunction
+        << "FFT has not solved for " << fieldName_ << ": residual " << reached
+        << " after " << performance.nIterations() << " passes, tolerance "
+        << wanted << " (round-off " << roundOff << ")" << nl
+        << "    Allow more passes (maxIter) or a larger tolerance, or "
+        << "use  solver PCG; preconditioner FFT;  in fvSolution"
+        << exit(FatalError);
+}
+
 Foam::solverPerformance Foam::FFTSolver::solve(scalarField& psi,
                                                const scalarField& source,
                                                const direction cmpt) const
 {
     solverPerformance performance(typeName, fieldName_);
     const boxMatrix box(*this);
-    if (!box.constant())
-    {
-        FatalErrorInFunction
-            << "FFT cannot solve for " << fieldName_ << ": "
-            << box.reason().c_str() << nl
-            << "    Use  solver PCG; preconditioner FFT;  for a symmetric "
-            << "matrix or  solver PBiCGStab; preconditioner FFT;  otherwise, "
-            << "in fvSolution" << exit(FatalError);
-    }
+    requireConstant(box);
 
     scalarField Apsi(psi.size()), residual(psi.size());
     const auto updateResidual = [&]()
@@ -71,19 +89,7 @@ Foam::solverPerformance Foam::FFTSolver::solve(scalarField& psi,
         const scalar reached = gSumMag(residual) / norm;
         const scalar roundOff =
             1e-14 * gSum(mag(matrix_.diag() * psi) + mag(source)) / norm;
-        const scalar wanted =
-            max(tolerance_, relTol_ * performance.initialResidual());
-        if (!(reached <= max(wanted, roundOff)))
-        {
-            FatalErrorInFunction
-                << "FFT has not solved for " << fieldName_ << ": residual "
-                << reached << " after " << performance.nIterations()
-                << " passes, tolerance " << wanted << " (round-off " << roundOff
-                << ")" << nl
-                << "    Allow more passes (maxIter) or a larger tolerance, or "
-                << "use  solver PCG; preconditioner FFT;  in fvSolution"
-                << exit(FatalError);
-        }
+        requireSolved(performance, reached, roundOff);
     }
     return performance;
 }

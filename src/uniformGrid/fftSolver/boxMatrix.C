@@ -53,9 +53,32 @@ struct spread
     }
 };
 
-string directionName(const direction d)
+//- Diagonal without the contributions of neighbours and sides
+scalarField restOfDiagonal(const lduMatrix::solver& s, const fvMesh& mesh)
 {
-    return vector::componentNames[d];
+    const lduMatrix& m = s.matrix();
+    scalarField rest(m.diag());
+    if (m.hasUpper())
+    {
+        const labelUList& l = m.lduAddr().lowerAddr();
+        const labelUList& u = m.lduAddr().upperAddr();
+        const scalarField &upper = m.upper(), &lower = m.lower();
+        forAll(l, facei)
+        {
+            rest[l[facei]] += upper[facei];
+            rest[u[facei]] += lower[facei];
+        }
+    }
+    forAll(s.interfaceIntCoeffs(), patchi)
+    {
+        const scalarField& c = s.interfaceIntCoeffs()[patchi];
+        const labelUList& cells = mesh.boundary()[patchi].faceCells();
+        forAll(c, i)
+        {
+            rest[cells[i]] -= c[i];
+        }
+    }
+    return rest;
 }
 } // namespace
 
@@ -101,8 +124,7 @@ void Foam::boxMatrix::readNeighbours(const lduMatrix::solver& s)
 
     if (m.hasUpper())
     {
-        const scalarField& upper = m.upper();
-        const scalarField& lower = m.lower();
+        const scalarField &upper = m.upper(), &lower = m.lower();
         forAll(upper, facei)
         {
             entry[grid_.faceDirection(facei)].add(upper[facei], 0.5);
@@ -135,7 +157,7 @@ void Foam::boxMatrix::readNeighbours(const lduMatrix::solver& s)
             entry[d].high - entry[d].low > constantTolerance * largest)
         {
             reason_ = "the coefficients between neighbours in direction " +
-                      directionName(d) + " vary between " +
+                      string(vector::componentNames[d]) + " vary between " +
                       Foam::name(-entry[d].high) + " and " +
                       Foam::name(-entry[d].low) +
                       " (implicit convection, or a variable coefficient)";
@@ -177,7 +199,7 @@ void Foam::boxMatrix::readSides(const lduMatrix::solver& s)
             {
                 reason_ =
                     "the condition on the " + string(side ? "upper" : "lower") +
-                    " side in direction " + directionName(d) +
+                    " side in direction " + string(vector::componentNames[d]) +
                     " is neither a fixed value nor a fixed gradient throughout";
             }
         }
@@ -186,32 +208,7 @@ void Foam::boxMatrix::readSides(const lduMatrix::solver& s)
 
 void Foam::boxMatrix::readDiagonal(const lduMatrix::solver& s)
 {
-    const lduMatrix& m = s.matrix();
-
-    // Diagonal without the contributions of neighbours and sides
-    scalarField rest(m.diag());
-    const labelUList& l = m.lduAddr().lowerAddr();
-    const labelUList& u = m.lduAddr().upperAddr();
-    if (m.hasUpper())
-    {
-        const scalarField& upper = m.upper();
-        const scalarField& lower = m.lower();
-        forAll(l, facei)
-        {
-            rest[l[facei]] += upper[facei];
-            rest[u[facei]] += lower[facei];
-        }
-    }
-    forAll(s.interfaceIntCoeffs(), patchi)
-    {
-        const scalarField& c = s.interfaceIntCoeffs()[patchi];
-        const labelUList& cells = mesh_.boundary()[patchi].faceCells();
-        forAll(c, i)
-        {
-            rest[cells[i]] -= c[i];
-        }
-    }
-
+    const scalarField rest(restOfDiagonal(s, mesh_));
     List<spread> entry(1);
     for (const scalar r : rest)
     {

@@ -12,6 +12,77 @@ namespace Foam
 defineTypeNameAndDebug(uniformGrid, 0);
 } // namespace Foam
 
+namespace
+{
+using namespace Foam;
+
+//- Centres of the faces that coupled boundary faces meet on the other side [m], by
+//  components: vectors would be turned
+FixedList<scalarField, 3> centresBeyond(const fvMesh& mesh)
+{
+    const label begin = mesh.nInternalFaces();
+    const SubField<vector> centres(mesh.faceCentres(), mesh.nFaces() - begin,
+                                   begin);
+    FixedList<scalarField, 3> beyond;
+    for (direction d = 0; d < 3; ++d)
+    {
+        beyond[d] = centres.component(d);
+        syncTools::swapBoundaryFaceList(mesh, beyond[d]);
+    }
+    return beyond;
+}
+
+//- Reason why no uniform box has such a coupled patch; else empty
+string wrongCoupling(const polyPatch& pp)
+{
+    if (pp.coupled() && !isA<cyclicPolyPatch>(pp) &&
+        !isA<processorPolyPatch>(pp))
+    {
+        return "of coupled patches it takes cyclic ones only, and patch " +
+               pp.name() + " is of type " + pp.type();
+    }
+    if (isA<coupledPolyPatch>(pp) &&
+        !refCast<const coupledPolyPatch>(pp).parallel())
+    {
+        return "patch " + pp.name() + " is turned onto its neighbour";
+    }
+    return string::null;
+}
+
+//- True if a boundary face lies in a side of the box. Between two ranks inside the box the
+//  cell is at the side only by its other face: the position of the face decides
+bool inSide(const uniformGrid& grid, const label facei)
+{
+    const fvMesh& mesh = grid.mesh();
+    const direction d = grid.faceDirection(facei);
+    const label n = grid.n()[d];
+    const scalar x = mesh.faceCentres()[facei][d];
+    const scalar origin = grid.origin()[d], h = grid.h()[d];
+    return grid.ijk(mesh.faceOwner()[facei])[d] ==
+               (grid.lowerSide(facei) ? 0 : n - 1) &&
+           (x < origin + 0.5 * h || x > origin + (n - 0.5) * h);
+}
+
+//- Distance of a coupled face from the one that it meets [m], less the length of the box
+//  between two sides of it. beyond: see centresBeyond()
+scalar mismatch(const uniformGrid& grid, const label facei,
+                const FixedList<scalarField, 3>& beyond)
+{
+    const fvMesh& mesh = grid.mesh();
+    const label i = facei - mesh.nInternalFaces();
+    const direction d = grid.faceDirection(facei);
+    const point& x = mesh.faceCentres()[facei];
+    const scalar length = grid.n()[d] * grid.h()[d];
+    vector away(beyond[0][i] - x.x(), beyond[1][i] - x.y(),
+                beyond[2][i] - x.z());
+    if (inSide(grid, facei))
+    {
+        away[d] += grid.lowerSide(facei) ? -length : length;
+    }
+    return mag(away);
+}
+} // namespace
+
 Foam::uniformGrid::uniformGrid(const fvMesh& mesh)
     : MeshObject<fvMesh, GeometricMeshObject, uniformGrid>(mesh),
       periodic_(false)
@@ -45,78 +116,50 @@ void Foam::uniformGrid::number(const List<labelVector>& cells)
     }
 }
 
-Foam::string Foam::uniformGrid::recogniseSides()
+void Foam::uniformGrid::orientFaces()
 {
-    const fvMesh& mesh = mesh_;
-
-    faceDir_.setSize(mesh.nFaces());
+    const vectorField& areas = mesh_.faceAreas();
+    faceDir_.setSize(areas.size());
     forAll(faceDir_, facei)
     {
-        const vector s(cmptMag(mesh.faceAreas()[facei]));
+        const vector s(cmptMag(areas[facei]));
         const direction d =
             (s.x() > s.y() && s.x() > s.z()) ? 0 : (s.y() > s.z() ? 1 : 2);
-        faceDir_[facei] = d + (mesh.faceAreas()[facei][d] < 0 ? 4 : 0);
+        faceDir_[facei] = d + (areas[facei][d] < 0 ? 4 : 0);
     }
+}
 
-    // Where the faces of a cyclic pair lie, seen from the other side. By
-    // components, as vectors would be turned
-    FixedList<scalarField, 3> beyond;
-    for (direction d = 0; d < 3; ++d)
-    {
-        const label begin = mesh.nInternalFaces();
-        beyond[d] =
-            SubField<vector>(mesh.faceCentres(), mesh.nFaces() - begin, begin)
-                .component(d);
-        syncTools::swapBoundaryFaceList(mesh, beyond[d]);
-    }
+Foam::string Foam::uniformGrid::recogniseSides()
+{
+    orientFaces();
+    const FixedList<scalarField, 3> beyond(centresBeyond(mesh_));
 
     // A side of the box is periodic where all its faces are coupled
     labelVector coupled(labelVector::zero), closed(labelVector::zero);
     string other;
-    for (const polyPatch& pp : mesh.boundaryMesh())
+    for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        if (pp.coupled() && !isA<cyclicPolyPatch>(pp) &&
-            !isA<processorPolyPatch>(pp))
+        const string wrong(wrongCoupling(pp));
+        if (!wrong.empty())
         {
-            other = "of coupled patches it takes cyclic ones only, and patch " +
-                    pp.name() + " is of type " + pp.type();
-            continue;
-        }
-        if (isA<coupledPolyPatch>(pp) &&
-            !refCast<const coupledPolyPatch>(pp).parallel())
-        {
-            other = "patch " + pp.name() + " is turned onto its neighbour";
+            other = wrong;
             continue;
         }
         forAll(pp, i)
         {
             const label facei = pp.start() + i;
             const direction d = faceDirection(facei);
-            const point& x = mesh.faceCentres()[facei];
-            const bool atSide =
-                ijk(mesh.faceOwner()[facei])[d] ==
-                    (lowerSide(facei) ? 0 : n_[d] - 1) &&
-                // Between two ranks inside the box the cell is at the side
-                // only by its other face: the face position decides
-                (x[d] < origin_[d] + 0.5 * h_[d] ||
-                 x[d] > origin_[d] + (n_[d] - 0.5) * h_[d]);
+            const bool atSide = inSide(*this, facei);
             if (atSide) (pp.coupled() ? coupled : closed)[d] = 1;
             if (!pp.coupled() && !atSide)
             {
                 other = "patch " + pp.name() + " has faces inside the box";
             }
-            if (pp.coupled())
+            if (pp.coupled() &&
+                mismatch(*this, facei, beyond) > 1e-3 * cmptMin(h_))
             {
-                const label n = facei - mesh.nInternalFaces();
-                const scalar length = n_[d] * h_[d];
-                vector away(beyond[0][n] - x.x(), beyond[1][n] - x.y(),
-                            beyond[2][n] - x.z());
-                if (atSide) away[d] += lowerSide(facei) ? -length : length;
-                if (mag(away) > 1e-3 * cmptMin(h_))
-                {
-                    other = "the faces of patch " + pp.name() +
-                            " do not face those of its neighbour";
-                }
+                other = "the faces of patch " + pp.name() +
+                        " do not face those of its neighbour";
             }
         }
     }
