@@ -15,6 +15,34 @@ addToRunTimeSelectionTable(option, EswaranPopeForcing, dictionary);
 } // namespace fv
 } // namespace Foam
 
+namespace
+{
+using namespace Foam;
+
+//- Modes with 0 < |m| <= radius, one of each pair m, -m
+std::vector<fv::lowModeForcing::mode> modesWithin(const scalar radius)
+{
+    const label M = label(radius);
+    std::vector<fv::lowModeForcing::mode> modes;
+    for (label x = 0; x <= M; ++x)
+    {
+        for (label y = -M; y <= M; ++y)
+        {
+            for (label z = -M; z <= M; ++z)
+            {
+                const bool first = x > 0 || y > 0 || (y == 0 && z > 0);
+                if (first && !(x == 0 && y < 0) &&
+                    x * x + y * y + z * z <= sqr(radius) * (1 + 1e-12))
+                {
+                    modes.push_back({labelVector(x, y, z), {0, 0, 0}});
+                }
+            }
+        }
+    }
+    return modes;
+}
+} // namespace
+
 Foam::fv::EswaranPopeForcing::EswaranPopeForcing(const word& name,
                                                  const word& modelType,
                                                  const dictionary& dict,
@@ -32,24 +60,7 @@ Foam::fv::EswaranPopeForcing::EswaranPopeForcing(const word& name,
         refuse(coeffs_, "maxWaveNumber", Foam::name(radius), "1 and greater");
     }
 
-    // One of each pair m, -m
-    const label M = label(radius);
-    std::vector<mode> modes;
-    for (label x = 0; x <= M; ++x)
-    {
-        for (label y = -M; y <= M; ++y)
-        {
-            for (label z = -M; z <= M; ++z)
-            {
-                const bool first = x > 0 || y > 0 || (y == 0 && z > 0);
-                if (first && !(x == 0 && y < 0) &&
-                    x * x + y * y + z * z <= sqr(radius) * (1 + 1e-12))
-                {
-                    modes.push_back({labelVector(x, y, z), {0, 0, 0}});
-                }
-            }
-        }
-    }
+    const std::vector<mode> modes(modesWithin(radius));
     setModes(modes, "maxWaveNumber");
 
     // Two of three components survive the projection: mean |f|^2 is twice
@@ -57,32 +68,36 @@ Foam::fv::EswaranPopeForcing::EswaranPopeForcing(const word& name,
     deviation_ = acceleration / std::sqrt(2.0 * modes.size());
 
     b_.resize(3 * modes.size());
-    const auto old = stateOfTime(mesh, name);
+    start(mesh);
+    file_.reset(new stateObject<IOdictionary>(
+        name, "uniform", mesh, [this](Ostream& os) { writeState(os); }));
+    project();
+}
+
+void Foam::fv::EswaranPopeForcing::start(const fvMesh& mesh)
+{
+    const auto old = stateOfTime(mesh, name());
     if (old)
     {
         scalarList numbers(1, scalar(old->get<label>("steps")));
         numbers.append(scalarField("values", *old,
                                    label(2 * b_.size()))); // checks the size
         setState(numbers);
+        return;
     }
-    else
+    for (size_t i = 0; i < b_.size(); ++i)
     {
-        for (size_t i = 0; i < b_.size(); ++i)
-        {
-            b_[i] = random(i);
-        }
+        b_[i] = random(i);
     }
-    const auto write = [this](Ostream& os)
-    {
-        const scalarList numbers(state());
-        const scalarField values(
-            SubList<scalar>(numbers, numbers.size() - 1, 1));
-        os.precision(17);
-        os.writeEntry("steps", steps_);
-        values.writeEntry("values", os);
-    };
-    file_.reset(new stateObject<IOdictionary>(name, "uniform", mesh, write));
-    project();
+}
+
+void Foam::fv::EswaranPopeForcing::writeState(Ostream& os) const
+{
+    const scalarList numbers(state());
+    const scalarField values(SubList<scalar>(numbers, numbers.size() - 1, 1));
+    os.precision(17);
+    os.writeEntry("steps", steps_);
+    values.writeEntry("values", os);
 }
 
 // Two normal deviates (Box & Muller) from a hash of seed, step and number (the

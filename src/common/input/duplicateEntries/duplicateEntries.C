@@ -21,95 +21,117 @@ struct textBlock
     std::set<std::string> names;
 };
 
-//- Path of the first name that comes twice in a dictionary. what: set to "two
-//  dictionaries" or "two values"
-string firstRepeated(const fileName& file, string& what)
+//- Search of the tokens of a dictionary file for a name that comes twice in a dictionary
+class repeatedName
 {
-    IFstream is(file);
-    std::vector<textBlock> open{{"", true, {}}};
-    std::string first; // first word of the present entry
-    label nTokens = 0; // tokens of the present entry so far
-    bool directive = false;
-    const auto comesTwice = [&]()
+    std::vector<textBlock> open_{{"", true, {}}};
+
+    std::string first_;    // first word of the present entry
+    label nTokens_ = 0;    // tokens of the present entry so far
+    bool include_ = false; // the next token is the file of an #include
+    bool ended_ = false;
+
+    //- Take the first word of the present entry for a name; end if its dictionary has the
+    //  name already
+    void take(const string& kind)
     {
+        nTokens_ = 0;
+
         // $group and #calc are replaced by other text and may come often
-        return first[0] != '$' && first[0] != '#' &&
-               !open.back().names.insert(first).second;
-    };
-    const auto path = [&]()
+        if (first_[0] == '$' || first_[0] == '#' ||
+            open_.back().names.insert(first_).second)
+        {
+            return;
+        }
+        for (const textBlock& b : open_)
+        {
+            if (!b.name.empty()) path += b.name + "/";
+        }
+        path += first_;
+        what = kind;
+        ended_ = true;
+    }
+
+    //- Brackets and semicolons open and close blocks, and end entries
+    void punctuation(const char c)
     {
-        std::string names;
-        for (const textBlock& b : open)
+        const bool inDictionary = open_.back().isDictionary;
+        if (c == token::BEGIN_BLOCK && inDictionary && nTokens_ == 1)
         {
-            if (!b.name.empty()) names += b.name + "/";
+            take("two dictionaries");
+            open_.push_back({first_, true, {}});
         }
-        return names + first;
-    };
-    for (token t(is); t.good(); is >> t)
-    {
-        if (t.isPunctuation())
+        else if (c == token::BEGIN_BLOCK || c == token::BEGIN_LIST)
         {
-            const char c = t.pToken();
-            const bool inDictionary = open.back().isDictionary;
-            if (c == token::BEGIN_BLOCK && inDictionary && nTokens == 1)
-            {
-                if (comesTwice())
-                {
-                    what = "two dictionaries";
-                    return path();
-                }
-                open.push_back({first, true, {}});
-                nTokens = 0;
-            }
-            else if (c == token::BEGIN_BLOCK || c == token::BEGIN_LIST)
-            {
-                open.push_back({"", false, {}});
-            }
-            else if (c == token::END_BLOCK || c == token::END_LIST)
-            {
-                if (open.size() == 1) return "";
-                const bool closed = open.back().isDictionary;
-                open.pop_back();
-                if (closed) nTokens = 0;
-            }
-            else if (c == token::END_STATEMENT && inDictionary)
-            {
-                if (nTokens > 0 && comesTwice())
-                {
-                    what = "two values";
-                    return path();
-                }
-                nTokens = 0;
-            }
-            continue;
+            open_.push_back({"", false, {}});
         }
-        OStringStream os;
-        os << t;
-        const std::string text(os.str());
-        if (text.compare(0, 3, "#if") == 0) return "";
-        if (!open.back().isDictionary) continue;
-        if (directive)
+        else if (c == token::END_BLOCK || c == token::END_LIST)
         {
-            directive = false;
+            ended_ = open_.size() == 1;
+            if (ended_) return;
+            open_.pop_back();
+            if (inDictionary) nTokens_ = 0;
         }
-        else if (nTokens == 0 && text[0] == '#')
+        else if (c == token::END_STATEMENT && inDictionary)
         {
-            // #include "file" has no semicolon
-            directive = true;
-        }
-        else if (nTokens++ == 0)
-        {
-            first = text;
+            if (nTokens_ > 0) take("two values");
         }
     }
-    return "";
-}
+
+    //- Words, numbers and strings belong to the present entry
+    void text(const std::string& t)
+    {
+        ended_ = t.compare(0, 3, "#if") == 0;
+        if (!open_.back().isDictionary) return;
+        if (include_)
+        {
+            include_ = false;
+        }
+        else if (nTokens_ == 0 && t[0] == '#')
+        {
+            // #include "file" has no semicolon
+            include_ = true;
+        }
+        else if (nTokens_++ == 0)
+        {
+            first_ = t;
+        }
+    }
+
+public:
+    //- Path of the name, empty if there is none, and "two dictionaries" or "two values"
+    string path, what;
+
+    explicit repeatedName(const fileName& file)
+    {
+        IFstream is(file);
+        for (token t(is); t.good(); is >> t)
+        {
+            if (t.isPunctuation())
+            {
+                punctuation(t.pToken());
+            }
+            else
+            {
+                OStringStream os;
+                os << t;
+                text(os.str());
+            }
+            if (ended_) return;
+        }
+    }
+};
 } // namespace
 
 void Foam::refuseDuplicates(const dictionary& dict, const fileName& file)
 {
     string repeated, what;
-    if (Pstream::master()) repeated = firstRepeated(file, what);
+    if (Pstream::master())
+    {
+        const repeatedName name(file);
+        repeated = name.path;
+        what = name.what;
+    }
     Pstream::scatter(repeated);
     Pstream::scatter(what);
     if (repeated.empty()) return;

@@ -14,6 +14,36 @@ addToRunTimeSelectionTable(functionObject, energySpectrum, dictionary);
 } // namespace functionObjects
 } // namespace Foam
 
+namespace
+{
+using namespace Foam;
+
+//- Modes of one direction with n cells of size h [m]
+struct modesOfLine
+{
+    //- Squares of the wave number, and of that of the second difference [1/m^2]
+    scalarField k2, modified2;
+
+    //- Weight of the square of a mode in the mean, with its conjugate if not all are there
+    scalarField weight;
+
+    modesOfLine(const label n, const scalar h, const bool all = false)
+        : k2(n),
+          modified2(n),
+          weight(n)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar m = min(i, n - i);
+            const scalar angle = constant::mathematical::pi * m / n;
+            k2[i] = sqr(2 * angle / h);
+            modified2[i] = sqr(2 * Foam::sin(angle) / h);
+            weight[i] = (all || m == 0 || 2 * m == n ? 1.0 : 2.0) / n;
+        }
+    }
+};
+} // namespace
+
 Foam::functionObjects::energySpectrum::energySpectrum(const word& name,
                                                       const Time& time,
                                                       const dictionary& dict)
@@ -47,9 +77,8 @@ bool Foam::functionObjects::energySpectrum::read(const dictionary& dict)
     return true;
 }
 
-bool Foam::functionObjects::energySpectrum::execute()
+void Foam::functionObjects::energySpectrum::sumShells()
 {
-    lastIndex_ = time_.timeIndex();
     staggeredField u(grid_.box());
     grid_.toStaggered(lookupObject<surfaceScalarField>(phiName_), u);
 
@@ -57,35 +86,14 @@ bool Foam::functionObjects::energySpectrum::execute()
     const planeTransform::rows rows(t.dealtTo(Pstream::myProcNo()));
     const vector& h = grid_.h();
     const scalar nAll = scalar(t.nFast) * t.nSlow * t.nThird;
-
-    // By mode of one direction: wave number (true, of the second difference)
-    // squared, and weight of a square in the mean, with its conjugate if not all are
-    struct line
-    {
-        scalarField k2, modified2, weight;
-        line(const label n, const scalar h, const bool all = false)
-            : k2(n),
-              modified2(n),
-              weight(n)
-        {
-            for (label i = 0; i < n; ++i)
-            {
-                const scalar m = min(i, n - i);
-                const scalar angle = constant::mathematical::pi * m / n;
-                k2[i] = sqr(2 * angle / h);
-                modified2[i] = sqr(2 * Foam::sin(angle) / h);
-                weight[i] = (all || m == 0 || 2 * m == n ? 1.0 : 2.0) / n;
-            }
-        }
-    };
-    const line fast(t.nFast, h[t.fast], true), slow(t.nSlow, h[t.slow]),
+    const modesOfLine fast(t.nFast, h[t.fast], true), slow(t.nSlow, h[t.slow]),
         third(t.nThird, h[t.third]);
 
     const vector largest(1 / h.x(), 1 / h.y(), 1 / h.z());
     energy_.setSize(
         label(constant::mathematical::pi * mag(largest) / dk_ + 0.5) + 1);
     energy_ = 0;
-    scalar gradient2 = 0, total = 0;
+    scalar total = 0, gradient2 = 0;
     for (direction d = 0; d < 3; ++d)
     {
         t.forward(u[d].cdata());
@@ -112,26 +120,28 @@ bool Foam::functionObjects::energySpectrum::execute()
         }
     }
     reduce(energy_, sumOp<scalarField>());
-    reduce(gradient2, sumOp<scalar>());
-    reduce(total, sumOp<scalar>());
+    gradient2_ = returnReduce(gradient2, sumOp<scalar>());
+    total_ = returnReduce(total, sumOp<scalar>());
+}
 
-    const scalar dissipation = nu_ * gradient2;
-    const scalar rms = Foam::sqrt(2 * total / 3);
+bool Foam::functionObjects::energySpectrum::execute()
+{
+    lastIndex_ = time_.timeIndex();
+    sumShells();
+    if (!Pstream::master()) return true;
+
+    const scalar dissipation = nu_ * gradient2_;
+    const scalar rms = Foam::sqrt(2 * total_ / 3);
     scalar inverseK = 0;
     for (label s = 1; s < energy_.size(); ++s)
     {
         inverseK += energy_[s] / (s * dk_);
     }
     const scalar lambda = rms * Foam::sqrt(15 * nu_ / (dissipation + VSMALL));
-    if (Pstream::master())
-    {
-        file() << time_.value() << tab << total << tab << dissipation << tab
-               << rms << tab << lambda << tab << rms * lambda / nu_ << tab
-               << 0.75 * constant::mathematical::pi * inverseK /
-                      (total + VSMALL)
-               << tab << Foam::pow025(pow3(nu_) / (dissipation + VSMALL))
-               << endl;
-    }
+    file() << time_.value() << tab << total_ << tab << dissipation << tab << rms
+           << tab << lambda << tab << rms * lambda / nu_ << tab
+           << 0.75 * constant::mathematical::pi * inverseK / (total_ + VSMALL)
+           << tab << Foam::pow025(pow3(nu_) / (dissipation + VSMALL)) << endl;
     return true;
 }
 
