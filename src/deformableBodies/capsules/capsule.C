@@ -5,6 +5,7 @@
 #include "DynamicList.H"
 #include "mathematicalConstants.H"
 #include <cmath>
+#include <numeric>
 
 namespace
 {
@@ -16,6 +17,12 @@ Foam::label partsOf(const Foam::scalarList& state)
     return Foam::label(state.last());
 }
 } // namespace
+
+Foam::scalar Foam::capsule::volume() const
+{
+    return std::inner_product(x.begin(), x.end(), volumeGradient.begin(), 0.0) /
+           3;
+}
 
 Foam::point Foam::capsule::centre() const
 {
@@ -36,6 +43,7 @@ Foam::scalarList Foam::capsule::state() const
     {
         s.append(UList<scalar>(const_cast<double*>(v->data()), v->size()));
     }
+    s.append(nUnsteady);
     s.append(scalar((previous.empty() ? 0 : 1) + (lag.empty() ? 0 : 2) +
                     (onFluid.empty() ? 0 : 4) + (nearMemory.empty() ? 0 : 8)));
     return scalarList(std::move(s));
@@ -43,7 +51,7 @@ Foam::scalarList Foam::capsule::state() const
 
 Foam::label Foam::capsule::degreeOf(const scalarList& state)
 {
-    const label size = state.size() - 2;
+    const label size = state.size() - 3;
     if (size <= 0 || !(state.last() >= 0 && state.last() < 16)) return -1;
     const label parts = partsOf(state);
     const label sets = 2 + (parts & 1) + (parts & 2) + (parts & 4) / 4 +
@@ -56,6 +64,7 @@ void Foam::capsule::restore(const scalarList& state, const bool hasPrevious,
                             const bool hasLag, const bool hasNearField)
 {
     lastDeltaT = state[0];
+    nUnsteady = label(state[state.size() - 2]);
     const label parts = partsOf(state);
     const scalar* cursor = state.cdata() + 1;
     const auto read = [&](const bool there, const bool wanted, numbers& v,

@@ -178,7 +178,7 @@ Foam::point Foam::capsuleGroup::centreOf(const scalarList& state,
         FatalIOErrorInFunction(source)
             << "the saved state of body " << body << " of group " << name()
             << " has " << state.size() << " numbers where "
-            << 2 + 2 * initial_.size()
+            << 3 + 2 * initial_.size()
             << " belong to its harmonics: was the entry harmonics changed?"
             << exit(FatalIOError);
     }

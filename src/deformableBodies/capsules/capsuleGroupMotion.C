@@ -10,19 +10,18 @@ using namespace Foam;
 using numbers = capsule::numbers;
 
 //- Change the velocity v so that the enclosed volume comes back to `volume`, by a tenth of
-//  what it lacks in a step: INT v.n dS = g.v. g: gradient of the volume g.x/3
+//  what it lacks in a step: INT v.n dS = g.v, with g the gradient of the volume
 void keepVolume(const capsule& c, const scalar volume, const scalar dt,
                 numbers& v)
 {
     const numbers& g = c.volumeGradient;
-    double gx = 0, gv = 0, gg = 0;
+    double gv = 0, gg = 0;
     for (size_t j = 0; j < g.size(); ++j)
     {
-        gx += g[j] * c.x[j];
         gv += g[j] * v[j];
         gg += g[j] * g[j];
     }
-    gv -= 0.1 * (volume - gx / 3) / dt;
+    gv -= 0.1 * (volume - c.volume()) / dt;
     for (size_t j = 0; j < g.size(); ++j)
     {
         v[j] -= gv / gg * g[j];
@@ -130,6 +129,12 @@ Foam::string Foam::capsuleGroup::unsteady(const label i,
                                           const scalar dt)
 {
     capsule& c = capsules_[i];
+    const scalar change = c.volume() / referenceVolume_ - 1;
+    if (!(mag(change) < 0.01))
+    {
+        return nameOfBody(mine()[i]) + " has changed its volume by " +
+               Foam::name(100 * change) + " %, limit 1 %";
+    }
     scalar sum = 0, difference = 0;
     const bool sameStep = mag(c.lastDeltaT - dt) < 0.01 * dt;
     for (size_t j = 3; j < velocity.size() && sameStep; ++j)

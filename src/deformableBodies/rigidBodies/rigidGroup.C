@@ -100,6 +100,7 @@ Foam::scalarList Foam::rigidGroup::state(const label i) const
     save(x.spin);
     s.append(x.slip);
     s.append(x.dt);
+    s.append(x.nUnsteady);
     for (const vectorField* field : {&x.forces, &x.U})
     {
         for (const vector& v : *field)
@@ -114,12 +115,12 @@ Foam::point Foam::rigidGroup::centreOf(const scalarList& state,
                                        const label number,
                                        const dictionary& source) const
 {
-    if (state.size() < 18 || state.size() % 6 != 0)
+    if (state.size() < 19 || (state.size() - 19) % 6 != 0)
     {
         waitForMaster();
         FatalIOErrorInFunction(source)
             << "the saved state of body " << number << " of group " << name()
-            << " has " << state.size() << " numbers where 18 and 6 for each "
+            << " has " << state.size() << " numbers where 19 and 6 for each "
             << "marker belong" << exit(FatalIOError);
     }
     return point(state[0], state[1], state[2]);
@@ -143,7 +144,8 @@ void Foam::rigidGroup::restore(body& x, const label number,
     x.spin = read();
     x.slip = *at++;
     x.dt = *at++;
-    const label before = (state.size() - 18) / 6;
+    x.nUnsteady = label(*at++);
+    const label before = (state.size() - 19) / 6;
     if (before != markers_.size())
     {
         if (number == 0)

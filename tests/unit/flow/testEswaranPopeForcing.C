@@ -24,7 +24,7 @@ TEST(EswaranPopeForcing, stochasticForceIsSteadyAndSolenoidal)
     std::vector<double> history;
     for (label i = 0; i < n; ++i)
     {
-        time.setTime(t0, index0 + 1 + i); // deltaT is 1
+        time.setTime(t0 + 1 + i, index0 + 1 + i); // deltaT is 1
         time.setDeltaT(0.05, false);
         refCast<fv::lowModeForcing>(*o).advance();
         scalar f2 = 0;
