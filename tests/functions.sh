@@ -21,9 +21,12 @@ isLong() { [ "$extent" = long ]; }
 # End of a script with -quick
 endOfQuick() { ! isQuick || finish; }
 
-# A line for each change of a file that could not be made: subshells cannot count
-lost=$(mktemp) || exit 1
-trap 'rm -f "$lost"' EXIT
+# Files of this script. lost: a line for each change of a file that could not be made, as
+# subshells cannot count
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+lost=$scratch/lost
+: > "$lost"
 
 # check "what" command...: one test, passed if the command succeeds
 check()
@@ -73,7 +76,7 @@ notChanged()
 # comments are lost.
 entry()
 {
-    local action=-set file name parent keys has value
+    local action=-set file name parent keys has value text line
     case $1 in -add | -remove) action=$1; shift ;; esac
     file=$1
     shift
@@ -87,13 +90,21 @@ entry()
             value=("$1")
             shift
         fi
-        # A line of its own that begins with the name: much quicker than foamDictionary
-        if [[ $action = -set && $name =~ ^[A-Za-z]+$ && ! ${value[0]} =~ [\;\|\&\\$'\n'] ]] &&
-            [ "$(grep -cE "^$name[[:space:]]+[^;{}]+;" "$file")" = 1 ]
+        # One line of its own that begins with the name: much quicker than foamDictionary
+        if [[ $action = -set && $name =~ ^[A-Za-z]+$ && $file =~ ^(constant|system)/ &&
+            ! ${value[0]} =~ [\;\|\&\\$'\n'] ]]
         then
-            sed -i -E "s|^($name[[:space:]]+)[^;{}]+;|\1${value[0]};|" "$file"
-            continue
+            text=$'\n'$(< "$file")
+            line=$'\n'$name$'[ \t]+[^;{}\n]+'
+            if [[ $text =~ ^(.*)$line(\;.*)$ && ! ${BASH_REMATCH[1]} =~ $line\; ]]
+            then
+                [[ $text =~ ^(.*$'\n'$name[[:blank:]]+)[^\;]+(\;.*)$ ]]
+                text=${BASH_REMATCH[1]}${value[0]}${BASH_REMATCH[2]}
+                echo "${text#?}" > "$file"
+                continue
+            fi
         fi
+
         # foamDictionary sets what is not there, removes what is not there, and
         # drops what follows the end of an entry, all with status 0
         if ! keys=$(dictionary "$file" ${parent:+-entry "$parent"} -keywords)
@@ -221,9 +232,21 @@ shearCase()
     # Runs are compared to round-off: iterate well beyond what physics needs
     tolerances 1e-13
     replace system/fvSolution "/^PIMPLE/,/{/ s/{/{\n    flowAlgorithm ${FLOW:-auto};/"
+
+    # Small meshes and their start fields are made once in a script
+    local made
+    made=$scratch/mesh$(sed -n 's/^\(half\|cells\) *\([0-9.]*\);.*/.\2/p' constant/scene | tr -d '\n')
+    if [ -e "$made" ]
+    then
+        cp -r "$made/0" . && cp -r "$made/polyMesh" constant
+        return
+    fi
     cp -r 0.orig 0
-    blockMesh > log.blockMesh 2>&1 && setExprFields > log.setExprFields 2>&1
+    blockMesh > log.blockMesh 2>&1 && setExprFields > log.setExprFields 2>&1 || return 1
+    [ "$(sed -n 's/^cells *\([0-9]*\);.*/\1/p' constant/scene)" -gt 32 ] ||
+        { mkdir "$made" && cp -r 0 constant/polyMesh "$made"; }
 }
+
 
 # tolerances <value>: of all linear solvers of the case in here
 tolerances() { replace system/fvSolution "s/\<tolerance  *[^ ;]*;/tolerance $1;/"; }
