@@ -76,7 +76,7 @@ notChanged()
 # comments are lost.
 entry()
 {
-    local action=-set file name parent keys has value text line
+    local action=-set file name parent keys has value text line old parts
     case $1 in -add | -remove) action=$1; shift ;; esac
     file=$1
     shift
@@ -95,16 +95,15 @@ entry()
             ! ${value[0]} =~ [\;\|\&\\$'\n'] ]]
         then
             text=$'\n'$(< "$file")
-            line=$'\n'$name$'[ \t]+[^;{}\n]+'
-            if [[ $text =~ ^(.*)$line(\;.*)$ && ! ${BASH_REMATCH[1]} =~ $line\; ]]
+            line=$'\n'$name$'[ \t]+' old=$'[^ \t;{}\n][^;{}\n]*;'
+            if [[ $text =~ ^(.*)($line)$old(.*)$ ]] && parts=("${BASH_REMATCH[@]:1}") &&
+                [[ ! ${parts[0]} =~ $line$old ]]
             then
-                [[ $text =~ ^(.*$'\n'$name[[:blank:]]+)[^\;]+(\;.*)$ ]]
-                text=${BASH_REMATCH[1]}${value[0]}${BASH_REMATCH[2]}
+                text="${parts[0]}${parts[1]}${value[0]};${parts[2]}"
                 echo "${text#?}" > "$file"
                 continue
             fi
         fi
-
         # foamDictionary sets what is not there, removes what is not there, and
         # drops what follows the end of an entry, all with status 0
         if ! keys=$(dictionary "$file" ${parent:+-entry "$parent"} -keywords)
@@ -246,7 +245,6 @@ shearCase()
     [ "$(sed -n 's/^cells *\([0-9]*\);.*/\1/p' constant/scene)" -gt 32 ] ||
         { mkdir "$made" && cp -r 0 constant/polyMesh "$made"; }
 }
-
 
 # tolerances <value>: of all linear solvers of the case in here
 tolerances() { replace system/fvSolution "s/\<tolerance  *[^ ;]*;/tolerance $1;/"; }
