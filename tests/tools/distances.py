@@ -27,16 +27,21 @@ def segments(p, q, r, s):
 
 def closestLines(lines, period):
     """Least distance of any two lines in a box with this period in x and z. Pairs whose
-    bounds are further apart than 1 are left out."""
+    bounds are further apart than 1 are left out, and segments whose middles show that they
+    are further apart than others."""
     middle = np.array([(l.min(0) + l.max(0)) / 2 for l in lines])
     half = np.array([(l.max(0) - l.min(0)) / 2 for l in lines])
     worst = np.inf
+    size = [np.linalg.norm(np.diff(l, axis=0), axis=1) / 2 for l in lines]
     for i, a in enumerate(lines):
         shift = middle[i] - middle[:i]
         shift[:, [0, 2]] -= period * np.round(shift[:, [0, 2]] / period)
         for j in np.flatnonzero((abs(shift) < half[i] + half[:i] + 1).all(1)):
             b = lines[j] + (middle[i] - middle[j] - shift[j])
-            worst = min(worst, segments(a[:-1, None], a[1:, None], b[:-1], b[1:]).min())
+            apart = np.linalg.norm((a[:-1] + a[1:])[:, None] - b[:-1] - b[1:], axis=-1) / 2
+            k, m = np.nonzero(apart - size[i][:, None] - size[j] < worst)
+            if len(k):
+                worst = min(worst, segments(a[k], a[k + 1], b[m], b[m + 1]).min())
     return worst
 
 
