@@ -18,6 +18,22 @@ def vectors(file):
     return np.array(words[:3 * n], float).reshape(n, 3)
 
 
+def addNoise(file, amplitude: float):
+    """Adds noise, evenly distributed up to the amplitude, to a field of vectors that is not
+    uniform. The file is ascii then, and what its boundary has must be uniform."""
+    U = vectors(file)
+    U = U + amplitude * np.random.default_rng(1).uniform(-1, 1, U.shape)
+    with open(file, "rb") as f:
+        data = f.read()
+    begin = data.index(b"internalField")
+    end = data.index(b"boundaryField")
+    text = "internalField nonuniform List<vector> %d\n(\n%s\n);\n\n" % (
+        len(U), "\n".join("(%.9g %.9g %.9g)" % tuple(u) for u in U))
+    data = data[:begin].replace(b"binary", b"ascii") + text.encode() + data[end:]
+    with open(file, "wb") as f:
+        f.write(data)
+
+
 def difference(a, b):
     """Largest difference of two fields of vectors, relative to the largest value."""
     a, b = vectors(a), vectors(b)

@@ -42,6 +42,15 @@ positions %s; directions %s; } }""" % (
         length, *((5e6, "clamped") if ends == "held" else (5, "free")), rows(first, "%.12g"), rows(t, "%.12g"))
 
 
+def fibreRows(number: int, apart: float, length: float = 3):
+    """Entries positions and directions of parallel fibres in a square pattern, their
+    axes that far apart."""
+    side = int(np.ceil(np.sqrt(number)))
+    first = [(-0.5 * length, apart * (i // side - 0.5 * (side - 1)), apart * (i % side - 0.5 * (side - 1)))
+             for i in range(number)]
+    return "positions %s;\ndirections %s;" % (rows(first), rows([(1, 0, 0)] * number))
+
+
 def unevenBlocks():
     """constant/cellDecomposition of 32^3 cells: six blocks whose cuts do not meet, in no
     direction the same for all lines."""

@@ -14,6 +14,7 @@ import fields
 import memory
 import places
 import scenes
+import stability
 import theory
 import vtp
 
@@ -219,6 +220,73 @@ def capsulesGoToTheSameDWithAndWithoutACore():
     # 25/12 Ca of a neo-Hookean membrane (Barthes-Biesel & Rallison 1981)
     for kappa in (0, 0.5):
         near(theory.coreDeformation(np.array([1e3]), kappa), 25 / 12, 1e-9)
+
+
+def stabilityRun(folder, column, end="End", warning="", Courant="0.1", dt=1.0):
+    """Folder of a run of ten steps of one body with this column of y."""
+    os.makedirs(folder + "/postProcessing/bodies/0")
+    file(folder + "/postProcessing/bodies/0/c.dat", "# time body x y z volume\n" + "".join(
+        "%g 0 0 %.9g 0 1\n" % (i * dt, y) for i, y in enumerate(column)))
+    file(folder + "/log.run", "Create time\nCourant Number max: 0.1\nLimits of the time step (deltaT is %g, fixed)\n"
+         "    flow        2.5 s, x\n    diffusion   none, y\n\n%s" % (dt, warning) + "".join(
+             "Time = %g\n\nCourant Number max: %s\nExecutionTime = %g s\n" % (i * dt, Courant, i)
+             for i in range(1, len(column))) + end + "\n")
+    file(folder + "/status", "0" if end == "End" else "1")
+    file(folder + "/dt", "%g" % dt)
+
+
+def verdictOf(column, **words):
+    line = np.linspace(0, 0.1, 11)
+    with tempfile.TemporaryDirectory() as folder:
+        stabilityRun(folder + "/reference", line)
+        stabilityRun(folder + "/fixed", column, **words)
+        out = io.StringIO()
+        with contextlib.redirect_stdout(out):
+            stability.judge("a/b", folder, "fixed", 10, 0.5, "y", "0.02", "1")
+    return out.getvalue().rstrip("\n").split("\t")
+
+
+def campaignJudgesRuns():
+    line = np.linspace(0, 0.1, 11)
+    good = verdictOf(line)
+    assert good[11:13] == ["ok", "0"] and good[2:5] == ["1", "2.5", "10"], good
+    off = verdictOf(line + 0.05 * (line > 0.05))
+    assert off[11:13] == ["WRONG", "1"] and abs(float(off[10]) - 0.05) < 1e-9, off
+    said = "--> FOAM Warning :\n    reduce deltaT\n\n"
+    assert verdictOf(line + 0.05, warning=said)[11:13] == ["warned", "1"]
+    # A step above the limit that was said to be so
+    assert verdictOf(line + 0.05, warning=said, dt=3)[11:13] == ["warned", "0"]
+    assert verdictOf(np.r_[line[:-1], 0.3])[13].startswith("c jumps")
+    assert verdictOf(line * np.nan)[11] == "WRONG"
+    assert "times as fast" in verdictOf(line, Courant="0.9")[13]
+    stop = "--> FOAM FATAL ERROR: \n%s\n\n    From function x\n\nFOAM exiting"
+    assert verdictOf(line, end=stop % "body 3 of c left: reduce deltaT")[11] == "stopped"
+    assert verdictOf(line, end=stop % "it went wrong")[11] == "unclear"
+    assert verdictOf(line, end="")[11] == "broken"
+
+
+def fluctuationsLeaveOutTheMeanOfPlanes():
+    with tempfile.TemporaryDirectory() as folder:
+        os.makedirs(folder + "/constant")
+        os.makedirs(folder + "/1")
+        file(folder + "/constant/scene", "cells   2;\n")
+        U = np.zeros((2, 3, 2, 3))
+        U[:, :, :, 0] = np.arange(3)[None, :, None]
+        U[0, :, :, 1], U[1, :, :, 1] = 1, -1
+        file(folder + "/1/U", "format ascii;\ninternalField nonuniform List<vector> 12\n%s;\n"
+             % scenes.rows(U.reshape(-1, 3)))
+        t, v = stability.fluctuations(folder)
+        assert t[0] == 1
+        near(v, 1)
+
+
+def noiseIsWithinItsAmplitude():
+    U = np.arange(12.).reshape(4, 3)
+    file("U", "format binary;\ninternalField nonuniform List<vector> 4\n".encode() + b"(" + U.tobytes()
+         + b");\nboundaryField { }\n")
+    fields.addNoise("U", 0.1)
+    V = fields.vectors("U")
+    assert 0.01 < abs(V - U).max() < 0.1
 
 
 def programsTakeMemory():
