@@ -16,7 +16,7 @@ import numpy as np
 from dat import Table
 import fields
 
-MODES = ("fixed", "limit", "adjusted")
+MODES = ("fixed", "between", "limit", "adjusted")
 
 
 def promised(text):
