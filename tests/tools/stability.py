@@ -20,16 +20,17 @@ MODES = ("fixed", "between", "limit", "adjusted")
 
 
 def promised(text):
-    """Smallest limit [s] of the first table in a log; infinite without any. Not a number
-    where the run stopped before its table."""
+    """Smallest limit [s] of the first table in a log; infinite without any, or without a
+    flow. Not a number where the run stopped before its table."""
     rows = re.search(r"Limits of the time step.*\n((?:    \S.*\n)*)", text)
     if not rows:
-        return np.nan
+        return np.inf if re.search(r"^Time = ", text, re.M) else np.nan
     return min(map(float, re.findall(r"^    \S+ +([\d.e+-]+) s,", rows[1], re.M)), default=np.inf)
 
 
 def steps(text):
-    """Time, length and Courant number of each step in a log, the start included."""
+    """Time, length and Courant number of each step in a log, the start included; none
+    without a flow."""
     found = []
     time, dt = 0.0, float((re.findall(r"deltaT is ([\d.e+-]+)", text) or ["nan"])[0])
     pattern = r"^(Time = |Courant Number max: |deltaT = )([^\s,]+)"
@@ -41,7 +42,7 @@ def steps(text):
             time = value
         else:
             found.append((time, dt, value))
-    return found
+    return found if np.isfinite(dt) else []
 
 
 class Run:
@@ -72,8 +73,8 @@ class Run:
         parts = re.split(r"^Create time$", self.text, flags=re.M)[1:]
         return [found[-1] for found in (re.findall(pattern, part) for part in parts) if found]
 
-    def largestStep(self):
-        return max((dt for _, dt, _ in self.steps), default=np.nan)
+    def largestStep(self, otherwise):
+        return max((dt for _, dt, _ in self.steps), default=otherwise)
 
     def groups(self, column):
         return [g for g, tables in self.tables.items() if column in tables[0].names]
@@ -216,7 +217,7 @@ def judge(name, folder, modes, end: float, cell: float, *health):
         with open(run.folder + "/dt") as f:
             dt = float(f.read())
         limit = promised(run.text)
-        promises = mode != "fixed" or dt <= limit * (1 + 1e-6)
+        promises = mode == "adjusted" or dt <= limit * (1 + 1e-6)
         fails = row["verdict"] not in (("ok",) if promises else ("ok", "stopped", "warned"))
         print("\t".join([name, mode, "%.4g" % dt, "%.4g" % limit, "%d" % run.number, "%.1f" % run.seconds,
                          "%d" % run.retries, row["quantity"],
@@ -227,7 +228,7 @@ def judge(name, folder, modes, end: float, cell: float, *health):
 def compared(run, reference, fixed, cell, health):
     """The quantity that is furthest beyond its bound, verdict and reason."""
     wrong = troubles(run, reference, cell)
-    growth = max(1, run.largestStep() / fixed)
+    growth = max(1, run.largestStep(fixed) / fixed)
     row, excess = {}, -1
     for name, bound, scale in zip(*(health[i::3] for i in range(3))):
         error, value, right = apart(run, reference, name, float(scale))
