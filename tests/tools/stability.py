@@ -185,10 +185,12 @@ def troubles(run, reference, cell):
 
 
 def isClear(run):
-    """A stop names the group of the body, or without bodies the cell, and says what to do."""
+    """A stop, or the line before on limits that were exceeded, names the group of the body,
+    or without bodies the cell, and says what to do."""
+    text = " ".join([run.error, *re.findall(r"deltaT \S+ is above the limit of .*", run.text)])
     places = [r"\b%s\b" % group for group in run.tables] or ["cell at"]
-    remedy = re.search(r"deltaT|[Rr]educe|[Uu]se |start again|smaller|larger|write ", run.error)
-    return bool(remedy and any(re.search(place, run.error) for place in places))
+    remedy = re.search(r"deltaT|[Rr]educe|[Uu]se |start again|smaller|larger|write ", text)
+    return bool(remedy and any(re.search(place, text) for place in places))
 
 
 def judge(name, folder, modes, end: float, cell: float, *health):
@@ -238,7 +240,7 @@ def compared(run, reference, fixed, cell, health):
         if not error / allowed <= excess:
             excess = error / allowed
             row.update(quantity=name, value=value, right=right, error=error)
-    said = [w for w in run.warnings if "deltaT" in w or "step" in w]
+    said = [w for w in run.warnings if "deltaT" in w]
     row["verdict"] = "ok" if not wrong else "warned" if said else "WRONG"
     row["why"] = "; ".join(wrong + ["said: " + w[-200:] for w in said[:1] if wrong])
     return row
