@@ -42,7 +42,7 @@ def steps(text):
             time = value
         else:
             found.append((time, dt, value))
-    return found if np.isfinite(dt) else []
+    return found if "deltaT is" in text else []
 
 
 class Run:
@@ -73,8 +73,9 @@ class Run:
         parts = re.split(r"^Create time$", self.text, flags=re.M)[1:]
         return [found[-1] for found in (re.findall(pattern, part) for part in parts) if found]
 
-    def largestStep(self, otherwise):
-        return max((dt for _, dt, _ in self.steps), default=otherwise)
+    def largestStep(self):
+        times = [0, *map(float, re.findall(r"^Time = (\S+)", self.text, re.M))]
+        return np.diff(times).max() if len(times) > 1 else 0
 
     def groups(self, column):
         return [g for g, tables in self.tables.items() if column in tables[0].names]
@@ -230,7 +231,7 @@ def judge(name, folder, modes, end: float, cell: float, *health):
 def compared(run, reference, fixed, cell, health):
     """The quantity that is furthest beyond its bound, verdict and reason."""
     wrong = troubles(run, reference, cell)
-    growth = max(1, run.largestStep(fixed) / fixed)
+    growth = max(1, run.largestStep() / fixed)
     row, excess = {}, -1
     for name, bound, scale in zip(*(health[i::3] for i in range(3))):
         error, value, right = apart(run, reference, name, float(scale))
