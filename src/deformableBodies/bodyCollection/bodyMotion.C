@@ -50,7 +50,7 @@ void Foam::bodyMotion::moveWithVelocity(const staggeredView& u,
     }
     if (system_.contrast) updateViscosity(groups);
     move(groups, markers,
-         {time.value(), time.deltaTValue(), false, 1, system_.solverBalances});
+         {time.value(), time.deltaTValue(), false, 1, system_.mayRetry()});
     if (trouble_.any) return;
     if (system_.interactions) system_.interactions->update();
 
@@ -105,7 +105,7 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p,
     }
     move(groups, markers,
          {time.value(), time.deltaTValue(), !p.isOfLastStep, fraction,
-          system_.solverBalances});
+          system_.mayRetry()});
     if (trouble_.any) return;
 
     vectorField change(loads(groups).F);

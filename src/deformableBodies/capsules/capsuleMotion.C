@@ -26,8 +26,9 @@ const Enum<motionType> words({{AUTO, "auto"},
 //- Largest inertia Re/Ca, whatever the rate, that stabilised motion bears
 const scalar maxInertia = 30;
 
-//- Motion by steps and inertia, and why
-motionType automatic(const capsuleMotion::setting& s, const bodyScene& scene,
+//- Motion by steps and inertia, and the reason
+motionType automatic(const bodyScene& scene,
+                     const stabilisedMotion::waves& waves,
                      const scalar explicitLimit, string& note)
 {
     if (scene.deltaT <= explicitLimit)
@@ -36,8 +37,7 @@ motionType automatic(const capsuleMotion::setting& s, const bodyScene& scene,
                (scene.deltaT > 0 ? "" : ", which adjustTimeStep keeps to");
         return EXPLICIT;
     }
-    const scalar inertia =
-        scene.rho * s.radius * s.shell.stiffness() / sqr(scene.mu);
+    const scalar inertia = waves.inertia();
     if (inertia < maxInertia) return STABILISED;
     note = "too much inertia: Re/Ca = " + Foam::name(inertia) + ", limit " +
            Foam::name(maxInertia);
@@ -71,7 +71,7 @@ Foam::capsuleMotion::New(const dictionary& dict, const setting& s,
 
     motionType motion = readEnum(words, dict, "motion", AUTO);
     string note("motion " + words[motion]);
-    if (motion == AUTO) motion = automatic(s, scene, limit, note);
+    if (motion == AUTO) motion = automatic(scene, waves, limit, note);
     const word name(words[motion]);
 
     const scalar thickness = dict.found("thickness")

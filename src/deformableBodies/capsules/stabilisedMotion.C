@@ -47,7 +47,8 @@ void rotate(const Eigen::Matrix3d& q, double* x)
 } // namespace
 
 Foam::stabilisedMotion::waves::waves(const setting& s)
-    : rate_(s.harmonics.degree() + 1, 0)
+    : rate_(s.harmonics.degree() + 1, 0),
+      start_(rate_)
 {
     const membraneModel& law = s.shell.model();
     const scalar tension = max(0.25 * (law.shearModulus() + law.areaModulus()),
@@ -55,10 +56,23 @@ Foam::stabilisedMotion::waves::waves(const setting& s)
     for (int n = 1; n <= s.harmonics.degree(); ++n)
     {
         const scalar bend = n * (n + 3) / s.radius;
+        start_[n] = 10 * s.rho * sqr(s.radius / (2 * n + 1)) / s.mu;
         rate_[n] =
             1.5 / (s.mu * s.radius * (2 * n + 1)) *
             (tension * n * (n + 1) + s.shell.bendingModulus() * bend * bend);
     }
+}
+
+Foam::scalar Foam::stabilisedMotion::waves::inertia() const
+{
+    scalar largest = 0;
+    for (size_t n = 2; n < rate_.size(); ++n)
+    {
+        largest = max(largest, rate_[n] * start_[n]);
+    }
+
+    // Degree 2 of tension: 1.5 * 6/5 * 10/25
+    return largest / 0.72;
 }
 
 Foam::stabilisedMotion::stabilisedMotion(const setting& s, const waves& rates)
@@ -103,7 +117,7 @@ void Foam::stabilisedMotion::correct(const capsule& c, numbers& x,
     {
         const int n = harmonics_.degreeOf(i);
         if (n == 0) continue; // the position of the whole
-        const double keep = 1 / (1 + dt * rate_[n]);
+        const double keep = 1 / (1 + rate_.within(n, dt));
         for (int d = 0; d < 3; ++d)
         {
             const int j = 3 * i + d;
@@ -129,7 +143,7 @@ void Foam::stabilisedMotion::restoreVolume(numbers& x, const scalar dt,
         {
             const int n = harmonics_.degreeOf(i);
             const double weight =
-                n ? 1 / ((2 * n + 1) * (1 + dt * rate_[n])) : 0;
+                n ? 1 / ((2 * n + 1) * (1 + rate_.within(n, dt))) : 0;
             for (int d = 0; d < 3; ++d)
             {
                 step[3 * i + d] *= weight;

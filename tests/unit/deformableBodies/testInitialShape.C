@@ -151,7 +151,7 @@ TEST(InitialShape, savedShapesKeepTheHarmonicsThatFit)
         OFstream os(file);
         os.precision(17);
         // The shape and the one at the start between two numbers
-        scalarList state(2 + 2 * c.size(), 0.0);
+        scalarList state(3 + 2 * c.size(), 0.0);
         std::copy(c.begin(), c.end(), state.begin() + 1);
         std::copy(c.begin(), c.end(), state.begin() + 1 + c.size());
         os.writeEntry("cells", List<scalarList>(1, state));

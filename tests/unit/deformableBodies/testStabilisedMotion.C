@@ -67,7 +67,7 @@ protected:
                   const double dt, const double ratio, const double volume)
     {
         const capsuleShell s(shell(tension));
-        const capsuleMotion::setting setting{s, grid, 1, 1, effects};
+        const capsuleMotion::setting setting{s, grid, 1, 1, 0, effects};
         capsule c;
         c.x = x;
         c.previous = previous;
@@ -86,10 +86,15 @@ TEST_F(StabilisedMotion, ratesAreThoseOfTheMobility)
 {
     // 1.5/(mu a (2n+1)) (G n(n+1) + E_B [n(n+3)]^2/a^2), n = 8
     const capsuleShell s(shell(2, 0.1));
-    const stabilisedMotion::waves waves({s, grid, 0.5, 3, effects});
+    const stabilisedMotion::waves waves({s, grid, 0.5, 3, 4, effects});
     EXPECT_NEAR(waves.fastest() /
                     (1.5 / (3 * 0.5 * 17) * (2 * 72 + 0.1 * sqr(88 / 0.5))),
                 1, 1e-14);
+
+    // t_n = 10 rho a^2/[mu (2n+1)^2]: a quarter is left where it is nine times the step
+    const scalar start = 10 * 4 * sqr(0.5) / (3 * sqr(17.0));
+    EXPECT_NEAR(waves.within(8, start / 9) / (waves.fastest() * start / 9),
+                0.25, 1e-14);
 }
 
 TEST_F(StabilisedMotion, aMembraneWithoutTensionMovesWithTheFluid)
