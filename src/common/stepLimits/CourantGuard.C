@@ -140,6 +140,7 @@ void Foam::CourantGuard::stop(const string& reason, const scalar Co,
     const bool starting = time.timeIndex() == time.startTimeIndex();
     if (!starting) beforeStop();
     const point where(worstCell(phi_));
+    const string nearest(nearest_ ? nearest_(where) : string());
     if (!starting) lastStep::writeBeforeStop(time, reason);
 
     const scalar dt = time.deltaTValue();
@@ -161,7 +162,8 @@ void Foam::CourantGuard::stop(const string& reason, const scalar Co,
     waitForMaster();
     FatalErrorInFunction
         << (starting ? "the time step is too large" : "the flow diverges")
-        << " at time " << time.timeName() << ", cell at " << where << ": "
+        << " at time " << time.timeName() << ", cell at " << where
+        << (nearest.empty() ? "" : ", near ") << nearest.c_str() << ": "
         << reason.c_str() << ", deltaT " << Foam::name(dt) << nl << "    "
         << allowed.str().c_str() << nl
         << (starting ? ""

@@ -6,6 +6,7 @@
 #include "dictionaryChecks.H"
 #include "fvc.H"
 #include "lastStep.H"
+#include "periodicBox.H"
 #include "duplicateEntries.H"
 
 namespace Foam
@@ -231,6 +232,25 @@ void Foam::bodyCollection::stop()
         << exit(FatalError);
 }
 
+Foam::string Foam::bodyCollection::nearest(const point& x) const
+{
+    scalar least = GREAT;
+    string name;
+    for (const bodyGroup& group : system_.groups)
+    {
+        forAll(group.mine(), i)
+        {
+            const scalar apart =
+                mag(nearestImage(system_.grid, group.centre(i), x));
+            if (!(apart < least)) continue;
+            least = apart;
+            name = group.nameOfBody(group.mine()[i]);
+        }
+    }
+    return firstOf(least == returnReduce(least, minOp<scalar>()) ? name
+                                                                 : string());
+}
+
 Foam::bodyCollection::snapshot Foam::bodyCollection::save() const
 {
     snapshot s;
@@ -257,7 +277,11 @@ void Foam::bodyCollection::restore(const snapshot& s)
             group.insert(s.numbers[g][i], s.states[g][i], dictionary::null);
         }
     }
-    if (system_.interactions) system_.interactions->remember(s.interactions);
+    if (system_.interactions)
+    {
+        system_.interactions->remember(s.interactions);
+        system_.interactions->travel(GREAT);
+    }
     trouble_.clear();
 
     // Before any time of the step

@@ -91,6 +91,12 @@ void Foam::bodyLimits::set(stepLimits& limits) const
                : system_.empty() ? string("none in the fluid")
                                  : string("stable at any step (stabilised, "
                                           "implicit or one-way)"));
+    if (system_.interactions)
+    {
+        const scalar dt = system_.interactions->maxDeltaT();
+        limits.set("contacts", dt, "forces between bodies in contact",
+                   dt < GREAT ? "" : "no bodies are near each other");
+    }
     const scalar accurate = wantedDeltaT();
     if (accurate < GREAT)
     {

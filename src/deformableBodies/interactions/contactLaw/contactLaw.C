@@ -29,6 +29,7 @@ Foam::contactLaw::contactLaw(
     strength_ = otherwise.value;
     reason_ = otherwise.reason;
     most_ = otherwise.most;
+    maxDeltaT_ = otherwise.deltaT;
     if (deltaT > 1.05 * otherwise.deltaT)
     {
         IOWarningInFunction(dict)

@@ -70,6 +70,16 @@ bool Foam::interactionModels::actWithinLines() const
     return false;
 }
 
+Foam::scalar Foam::interactionModels::maxDeltaT() const
+{
+    scalar smallest = GREAT;
+    for (const contactForce& force : forces_)
+    {
+        smallest = min(smallest, force.maxDeltaT());
+    }
+    return smallest;
+}
+
 Foam::scalar Foam::interactionModels::ofWall(const scalar distance,
                                              const bool isSurface) const
 {
