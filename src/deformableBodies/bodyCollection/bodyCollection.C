@@ -280,7 +280,7 @@ void Foam::bodyCollection::restore(const snapshot& s)
     if (system_.interactions)
     {
         system_.interactions->remember(s.interactions);
-        system_.interactions->travel(GREAT);
+        system_.interactions->outdate();
     }
     trouble_.clear();
 
