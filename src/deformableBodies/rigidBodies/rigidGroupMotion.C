@@ -165,7 +165,9 @@ void Foam::rigidGroup::advance(body& x, const vectorField& U,
         sqr(shape_.radius()) * scene_.rho / (20.2 * scene_.mu),
         meanNearMobility_};
     const vectorField r(x.X - (x.centre + s.dt * x.velocity));
-    const rigidStep step(properties, s.dt, r, U, gain);
+    const tensor R(isSphere() ? tensor::I : x.turn.R());
+    const vectorField w(R & perVolume_);
+    const rigidStep step(properties, s.dt, r, U, gain, w);
 
     vector V, W;
     const auto load = [&](const scalar time)

@@ -158,6 +158,11 @@ void Foam::rigidGroup::makeMarkers(const scalar spacing)
         2 * max(label(6),
                 label(std::ceil(0.5 * shape_.area() / sqr(spacing * h_))));
     shape_.points(n, inset, markers_, areas_);
+    if (densityRatio_ < 1)
+    {
+        const tensor volume(sum(areas_ * markers_));
+        perVolume_ = inv(volume) & areas_;
+    }
     shape_.points(n, 0, surface_, areas_);
 
     // The markers keep the order of the spiral, which is that of their forces in a state

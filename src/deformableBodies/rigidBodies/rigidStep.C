@@ -37,12 +37,13 @@ Foam::quaternion Foam::rotationBy(const vector& angle)
 
 Foam::rigidStep::rigidStep(const properties& body, const scalar dt,
                            const vectorField& r, const vectorField& U,
-                           const scalarField& gain)
+                           const scalarField& gain, const vectorField& w)
     : body_(body),
       dt_(dt),
       r_(r),
       U_(U),
       gain_(gain),
+      w_(w),
       sumGain_(sum(gain))
 {
     forAll(r, k)
@@ -87,23 +88,28 @@ void Foam::rigidStep::advance(motion& m, vectorField& forces,
     }
 
     // The fluid inside moves with the mesh's part of V: less what the near field adds,
-    // which changes with F. Light bodies: the mean slip has a larger gain
+    // which changes with F
     const scalar mass = (ratio - 1) * body_.fluidMass / dt_;
     const scalar innerMass =
         body_.fluidMass / dt_ * body_.nearMobility / r_.size();
-    const scalar raised =
-        max(scalar(0), -5 * mass / (1 + innerMass) - sumGain_) / sumGain_;
+    const scalar missing =
+        w_.empty() ? 0 : max(scalar(0), -5 * mass / (1 + innerMass) - sumGain_);
+    vector inside(Zero);
+    forAll(w_, k)
+    {
+        inside += (w_[k] & U_[k]) * r_[k];
+    }
 
     const tensor J((ratio - follows) / dt_ * inertia + torqueOfSpin_);
     const tensor cross(0, -lever_.z(), lever_.y(), lever_.z(), 0, -lever_.x(),
                        -lever_.y(), lever_.x(), 0); // cross & V = lever x V
     const vector push(given.force + mass * m.velocity +
                       innerMass * sum(forces) +
-                      (1 + innerMass) * (raised * sumU_ - force));
+                      (1 + innerMass) * (missing * inside - force));
     const vector twist(
         given.torque + ratio / dt_ * (inertia & m.angularVelocity) -
         ratio * (m.angularVelocity ^ (inertia & m.angularVelocity)) -
-        follows / dt_ * m.spin - torque + raised / sumGain_ * (lever_ ^ sumU_));
+        follows / dt_ * m.spin - torque);
     matrix A(matrix::Zero());
     column b;
     for (direction i = 0; i < 3; ++i)
@@ -111,9 +117,9 @@ void Foam::rigidStep::advance(motion& m, vectorField& forces,
         for (direction j = 0; j < 3; ++j)
         {
             A(i, j) =
-                i == j ? mass + (1 + innerMass) * (1 + raised) * sumGain_ : 0;
+                i == j ? mass + (1 + innerMass) * (sumGain_ + missing) : 0;
             A(i, 3 + j) = (1 + innerMass) * forceOfSpin_(i, j);
-            A(3 + i, j) = (1 + raised) * cross(i, j);
+            A(3 + i, j) = cross(i, j);
             A(3 + i, 3 + j) = J(i, j);
         }
         b[i] = push[i];
@@ -124,10 +130,13 @@ void Foam::rigidStep::advance(motion& m, vectorField& forces,
     const column y(A.partialPivLu().solve(b));
     const vector V(y[0], y[1], y[2]), W(y[3], y[4], y[5]);
 
-    const vector ofMean(raised * (V - sumU_ / sumGain_));
     forAll(r_, k)
     {
-        forces[k] += gain_[k] * (V + (W ^ r_[k]) - U_[k] + ofMean);
+        forces[k] += gain_[k] * (V + (W ^ r_[k]) - U_[k]);
+    }
+    forAll(w_, k)
+    {
+        forces[k] += missing * (r_[k] & (V - inside)) * w_[k];
     }
     m.spin += follows * ((inertia & W) - m.spin);
     m.turn = rotationBy(0.5 * dt_ * (m.angularVelocity + W)) * m.turn;
