@@ -282,12 +282,6 @@ Foam::string Foam::filamentGroup::move(const vector* U,
                     "segments no shorter than a cell)";
                 continue;
             }
-            if (s.mayRetry && trouble.empty())
-            {
-                trouble = unsteady(mine()[i + l],
-                                   s.dt * max(mag(lines[l]->velocities())), 0,
-                                   0, 1, bodies_[i + l].nUnsteady);
-            }
             bodies_[i + l].dt = s.dt;
             if (twoWay()) force(bodies_[i + l], around[l]);
         }
