@@ -36,7 +36,11 @@ Foam::string Foam::stepRetries::inParts(const std::function<string()>& step)
 
 bool Foam::stepRetries::advance(const actions& a)
 {
-    if (maxRetries_ == 0) return firstOf(a.step()).empty();
+    if (maxRetries_ == 0)
+    {
+        a.step();
+        return true;
+    }
     lastStep::division& d = last_.divided();
     a.save();
     while (true)
