@@ -42,12 +42,15 @@ bool Foam::stepRetries::advance(const actions& a)
         return true;
     }
     lastStep::division& d = last_.divided();
+    const label most = 1 << maxRetries_;
+    d.unjudged = max(d.unjudged - 1, label(0));
     a.save();
     while (true)
     {
+        a.watchUnsteady(d.unjudged == 0 && d.subSteps < most);
         const string wrong(firstOf(inParts(a.step)));
         if (wrong.empty()) break;
-        if (d.subSteps >= 1 << maxRetries_) return false;
+        if (d.subSteps >= most) return false;
         ++taken_;
         d.subSteps *= 2;
         d.quiet = 0;
@@ -58,8 +61,28 @@ bool Foam::stepRetries::advance(const actions& a)
              << " sub-steps of " << time_.deltaTValue() / d.subSteps << " s"
              << nl;
     }
+    if (d.unjudged == 0 && d.subSteps >= most)
+    {
+        goOnUnsteady(firstOf(a.unsteady()));
+    }
     recover();
     return true;
+}
+
+void Foam::stepRetries::goOnUnsteady(const string& sentence)
+{
+    if (sentence.empty()) return;
+    lastStep::division& d = last_.divided();
+    if (Pstream::master())
+    {
+        WarningInFunction << sentence.c_str() << ", at time "
+                          << time_.timeName() << ", also in " << d.subSteps
+                          << " sub-steps" << nl
+                          << "    The run goes on with whole steps. If bodies "
+                          << "diverge, reduce deltaT" << endl;
+    }
+    d.subSteps = 1;
+    d.unjudged = 1000;
 }
 
 void Foam::stepRetries::recover()

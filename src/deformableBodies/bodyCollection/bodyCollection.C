@@ -66,6 +66,11 @@ void Foam::bodyCollection::read(const IOobject& io)
     boxChecks_.reset(new boxChecks(mesh, system_.groups, *system_.markers,
                                    system_.interactions.get()));
     boxChecks_->checkStart(dict);
+    stressEntry_ = dictionary(dict.name());
+    if (dict.found("bulkStress"))
+    {
+        stressEntry_.add(*dict.findEntry("bulkStress"));
+    }
     output_.reset(new bodyOutput(system_, motion_,
                                  dict.getOrDefault<bool>("wrap", false)));
 }
@@ -161,6 +166,7 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
     }
     lastMoved_ = system_.mesh.time().value();
     if (empty()) return;
+    if (stress_) stress_->begin();
 
     const auto timing(system_.effects.time("boxChecks"));
     system_.ownership->migrate(system_.groups);
@@ -192,11 +198,18 @@ void Foam::bodyCollection::endStep(const std::function<void()>& beforeStop)
     look();
     if (!mustStop())
     {
+        if (system_.solverBalances) endStress();
         output_->sample();
         return;
     }
     beforeStop();
     stop();
+}
+
+void Foam::bodyCollection::watchStress(const bulkStress::flow& flow,
+                                       const bool implicit)
+{
+    stress_ = bulkStress::New(stressEntry_, system_, flow, implicit);
 }
 
 void Foam::bodyCollection::draw()

@@ -50,7 +50,7 @@ void Foam::bodyMotion::moveWithVelocity(const staggeredView& u,
     }
     if (system_.contrast) updateViscosity(groups);
     move(groups, markers,
-         {time.value(), time.deltaTValue(), false, 1, system_.mayRetry()});
+         {time.value(), time.deltaTValue(), false, 1, &trouble_.unsteady});
     if (trouble_.any) return;
     if (system_.interactions) system_.interactions->update();
 
@@ -105,7 +105,7 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p,
     }
     move(groups, markers,
          {time.value(), time.deltaTValue(), !p.isOfLastStep, fraction,
-          system_.mayRetry()});
+          &trouble_.unsteady});
     if (trouble_.any) return;
 
     vectorField change(loads(groups).F);
@@ -185,6 +185,7 @@ void Foam::bodyMotion::move(const labelUList& groups,
         U += system_.groups[g].nMarkers();
         lineDensity += system_.groups[g].nMarkers();
     }
+    if (trouble_.unsteadyFails) trouble_.note(trouble_.unsteady);
     trouble_.share();
 
     // Bodies go with the fluid, by what it did in this step and the last

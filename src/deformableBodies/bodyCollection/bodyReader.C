@@ -32,7 +32,7 @@ void Foam::bodyReader::read()
     readViscosityRatios();
     given_.append(
         entriesOf(dict_, {"FoamFile", "variables", "bodies", "restart",
-                          "removed", "sampleInterval", "wrap"}));
+                          "removed", "sampleInterval", "bulkStress", "wrap"}));
     readLoads();
     readInteractions(around);
     system_.effects.declare("boxChecks", true,

@@ -12,7 +12,8 @@ namespace
 //- Entries that stand beside the dictionary bodies
 const Foam::wordList besideBodies({"sampleInterval", "accuracy", "kernel",
                                    "coupling", "interactions", "loads", "wrap",
-                                   "restart", "removed", "outside", "nu"});
+                                   "restart", "removed", "outside", "nu",
+                                   "bulkStress"});
 
 //- Characters of a group's name, which becomes a file name
 const char* const nameCharacters =

@@ -40,12 +40,6 @@ Foam::label Foam::bodySystem::nMarkers(const labelUList& which) const
     return n;
 }
 
-bool Foam::bodySystem::mayRetry() const
-{
-    return solverBalances &&
-           mesh.time().controlDict().getOrDefault<label>("maxRetries", 5) > 0;
-}
-
 bool Foam::bodySystem::adjustsStep() const
 {
     return mesh.time().controlDict().getOrDefault<bool>("adjustTimeStep",

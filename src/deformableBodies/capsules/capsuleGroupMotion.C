@@ -101,9 +101,9 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
         motion_->beforeMove(c, dt, r);
         const scalar displacement = moveTo(c, next);
         if (twoWay()) motion_->setLoad(c);
-        if (s.mayRetry && trouble.empty())
+        if (s.unsteady && s.unsteady->empty())
         {
-            trouble = unsteady(i, displacement, velocity, dt);
+            *s.unsteady = unsteady(i, displacement, velocity, dt);
         }
         c.velocity = velocity;
         c.lastDeltaT = dt;

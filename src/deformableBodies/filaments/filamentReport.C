@@ -134,6 +134,11 @@ Foam::scalarList Foam::filamentReport::sample(const label i) const
 }
 
 // A line along the nodes
+Foam::label Foam::filamentReport::nCoupleMarkers() const
+{
+    return group_.markersEach() - group_.points_.size();
+}
+
 Foam::bodySurface Foam::filamentReport::surface(const label i) const
 {
     const filament& x = group_.bodies_[i].line;

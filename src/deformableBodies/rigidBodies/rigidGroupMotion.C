@@ -127,9 +127,9 @@ Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
         const vector before(x.velocity);
         const bool sameStep = mag(x.dt - s.dt) < 0.01 * s.dt;
         advance(x, u, gains(density, s), force, torque, s);
-        if (s.mayRetry && trouble.empty())
+        if (s.unsteady && s.unsteady->empty())
         {
-            trouble = unsteady(
+            *s.unsteady = unsteady(
                 number,
                 s.dt * (mag(x.velocity) +
                         mag(x.angularVelocity) * cmptMax(shape_.semiAxes())),

@@ -38,6 +38,7 @@ Foam::lastStep::lastStep(const Time& time)
     last.readIfPresent("quiet", division_.quiet);
     last.readIfPresent("pause", division_.pause);
     last.readIfPresent("limit", division_.limit);
+    last.readIfPresent("unjudged", division_.unjudged);
 }
 
 void Foam::lastStep::writeDivision(Ostream& os) const
@@ -47,6 +48,7 @@ void Foam::lastStep::writeDivision(Ostream& os) const
     os.writeEntry("quiet", division_.quiet);
     os.writeEntry("pause", division_.pause);
     os.writeEntry("limit", division_.limit);
+    os.writeEntry("unjudged", division_.unjudged);
 }
 
 Foam::scalar Foam::lastStep::read(const Time& time)

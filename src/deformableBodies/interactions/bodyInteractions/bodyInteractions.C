@@ -110,6 +110,14 @@ void Foam::bodyInteractions::add(const label group, const label body,
     points_.addTo(near_.find(numbers_.number(group, body)), F);
 }
 
+Foam::vector Foam::bodyInteractions::forceOn(const label group,
+                                             const label body) const
+{
+    return actOn(group, body)
+               ? points_.force(near_.find(numbers_.number(group, body)))
+               : vector::zero;
+}
+
 Foam::string Foam::bodyInteractions::state() const
 {
     return interactionState::write(models_, numbers_);

@@ -17,6 +17,7 @@ void Foam::bodyInteractions::update()
     }
     watch_.begin();
     samples_.begin();
+    contactMoment_ = filmMoment_ = tensor::zero;
     if (!near_.any()) return;
 
     collectPoints();
@@ -38,6 +39,7 @@ void Foam::bodyInteractions::update()
     }
     actOfWalls();
     watch_.end();
+    contactMoment_ -= momentAboutCentres();
     samples_.addPower(points_.power(), time_.deltaTValue());
 }
 
@@ -92,13 +94,28 @@ void Foam::bodyInteractions::act(contactSearch& search, const labelUList& body,
     watch_.look(search.pairs(), search.points());
     const auto add = [&](vectorField& F)
     {
+        pairForces all{F};
         for (const contactForce& force : models_.forces())
         {
             const auto timing(effects_.time(force.type()));
-            force.add(search.pairs(), search.points(), F);
+            force.add(search.pairs(), search.points(), all);
         }
+        contactMoment_ += all.moment;
     };
     search.addForces(add, points_.forces().F);
+}
+
+Foam::tensor Foam::bodyInteractions::momentAboutCentres() const
+{
+    tensor moment(Zero);
+    for (label b = 0; b < near_.nBodies(); ++b)
+    {
+        const nearBodies::body& body = near_.bodies()[b];
+        if (!body.near) continue;
+        const point centre(groups_[body.group].centre(body.local));
+        moment += points_.moment(b, centre);
+    }
+    return moment;
 }
 
 Foam::vectorField Foam::bodyInteractions::touchingAreas() const
@@ -136,7 +153,9 @@ void Foam::bodyInteractions::actOfWalls()
             if (distance >= models_.range()) continue;
             const interactingPoint& p = points_.points()[k];
             const scalar P = models_.ofWall(distance - p.radius, p.radius == 0);
-            points_.forces().F[k] += P * p.size * inward;
+            const vector force(P * p.size * inward);
+            points_.forces().F[k] += force;
+            contactMoment_ += force * (distance * inward);
 
             // A point without velocity is held at the wall
             if (P > 0 && distance < 0.5 * p.radius && mag(points_.V()[k]) > 0)
@@ -180,7 +199,9 @@ void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
             lineDensity += group.nMarkers() / n;
         }
     }
+    const tensor before(momentAboutCentres());
     const fibreResistances all(models_.resistances(), *linePairs_, walls_,
                                effects_);
     samples_.addPower(all.add(motions, yield, points_), step.dt);
+    filmMoment_ = points_.forces().moment - (momentAboutCentres() - before);
 }

@@ -63,7 +63,7 @@ Foam::collision::collision(const dictionary& dict,
 
 void Foam::collision::add(const closePairs& pairs,
                           const UList<interactingPoint>& points,
-                          vectorField& F) const
+                          pairForces& forces) const
 {
     for (const closePairs::pair& p : pairs.pairs())
     {
@@ -77,9 +77,7 @@ void Foam::collision::add(const closePairs& pairs,
         // Fibres that are closer feel the force at this distance
         const scalar least = 0.5 * (a + b);
         const scalar f = law_.between(max(r, least), max(gap, least - a - b));
-        const vector force(f * lengths / max(r, SMALL * h_) * p.r);
-        F[p.first] += force;
-        if (p.bothHeld) F[p.second] -= force;
+        forces.add(p, f * lengths / max(r, SMALL * h_) * p.r);
     }
 }
 

@@ -107,6 +107,24 @@ void Foam::contactPoints::addTo(const label index, vectorField& F) const
     }
 }
 
+Foam::vector Foam::contactPoints::force(const label index) const
+{
+    const range& points = ranges_[index];
+    return sum(SubField<vector>(F_.F, points.size, points.first));
+}
+
+Foam::tensor Foam::contactPoints::moment(const label index,
+                                         const point& about) const
+{
+    const range& points = ranges_[index];
+    tensor sum(Zero);
+    for (label k = points.first; k < points.end(); ++k)
+    {
+        sum += F_.F[k] * (X_[k] - about);
+    }
+    return sum;
+}
+
 Foam::scalar Foam::contactPoints::power() const
 {
     scalar power = 0;

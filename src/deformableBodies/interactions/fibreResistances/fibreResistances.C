@@ -63,7 +63,7 @@ Foam::scalar Foam::fibreResistances::add(const lineMotions& own,
     const scalarField loss(
         pairs.handOut(implicit(points, own.along, yield, ownK).cdata(), 1));
 
-    armedForces here{vectorField(nHere, Zero), vectorField(nHere, Zero)};
+    armedForces here{vectorField(nHere, Zero), vectorField(nHere, Zero), Zero};
     for (contactResistance& model : models_)
     {
         const auto timing(effects_.time(model.type()));
@@ -74,5 +74,6 @@ Foam::scalar Foam::fibreResistances::add(const lineMotions& own,
     pairs.addUp(here.arms, arms);
     points.forces().F += F;
     points.forces().arms += arms;
+    points.forces().moment = here.moment;
     return sum(F & own.velocity) + sum(arms & own.turn);
 }

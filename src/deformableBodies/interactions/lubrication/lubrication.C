@@ -77,7 +77,7 @@ Foam::lubrication::film Foam::lubrication::between(const vector& e1,
                                                    const scalar r1,
                                                    const scalar r2) const
 {
-    film f{-1, -1, false, 0, 0, 0, Zero};
+    film f{-1, -1, false, 0, 0, 0, Zero, r12};
     const scalar radii = r1 + r2, r = 2 * r1 * r2 / radii;
     const vector a(r12 - 0.5 * e1), c(-0.5 * e2);
     const scalar nearest = mag(connection(a, a + e1, c, c + e2)) - radii;
@@ -153,7 +153,8 @@ void Foam::lubrication::findResistances(const closePairs& pairs,
         }
         const scalar k1 =
             ofWall(gap, points[i].radius) * mag(motions.elements[i]);
-        films_.push_back({i, -1, false, k1, 0, 0, motions.inward[i]});
+        films_.push_back({i, -1, false, k1, 0, 0, motions.inward[i],
+                          motions.toWalls[i] * motions.inward[i]});
         k[i] += k1;
     }
 }
@@ -204,6 +205,7 @@ void Foam::lubrication::resist(const closePairs& pairs,
         const scalar F = newForce(f, key, motions, implicit);
         forces.F[i] += F * f.n;
         forces.arms[i] += f.at * F * f.n;
+        forces.moment += (f.bothHeld || j < 0 ? F : 0.5 * F) * (f.n * f.r);
         if (f.bothHeld)
         {
             forces.F[j] -= F * f.n;

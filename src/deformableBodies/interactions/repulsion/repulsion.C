@@ -100,7 +100,7 @@ Foam::scalar Foam::repulsion::between(const scalar distance) const
 
 void Foam::repulsion::add(const closePairs& pairs,
                           const UList<interactingPoint>& points,
-                          vectorField& F) const
+                          pairForces& forces) const
 {
     const scalar perSquare = (table_.size() - 1) / sqr(law_.range());
     for (const closePairs::pair& p : pairs.pairs())
@@ -124,9 +124,7 @@ void Foam::repulsion::add(const closePairs& pairs,
             const scalar apart = mag(p.r);
             perDistance = between(apart - t) / max(apart, SMALL * law_.range());
         }
-        const vector force(perDistance * points[p.first].size *
-                           points[p.second].size * p.r);
-        F[p.first] += force;
-        if (p.bothHeld) F[p.second] -= force;
+        forces.add(p, perDistance * points[p.first].size *
+                          points[p.second].size * p.r);
     }
 }

@@ -199,7 +199,8 @@ void isMutual(const contactForce& model, const scalar radius)
     const label n = pairs.here().size();
     const List<interactingPoint> points(n, interactingPoint{sqr(h), radius});
     vectorField there(n, Zero), F(mine.size(), Zero);
-    model.add(pairs, points, there);
+    pairForces forces{there};
+    model.add(pairs, points, forces);
     pairs.addUp(scalarField(UList<scalar>(
                     reinterpret_cast<scalar*>(there.data()), 3 * n)),
                 3, reinterpret_cast<scalar*>(F.data()));
@@ -279,12 +280,16 @@ TEST(ClosePairs, forceOfCrossingLines)
         const List<interactingPoint> points(
             n, interactingPoint{spacing * h, radius});
         vectorField F(n, Zero);
-        model.add(pairs, points, F);
+        pairForces forces{F};
+        model.add(pairs, points, forces);
         vector sum(Zero);
+        tensor moment(Zero);
         forAll(F, k)
         {
             if (body[k] == 1) sum += F[k];
+            moment += F[k] * X[k];
         }
+        EXPECT_LT(mag(moment - forces.moment), 1e-12 * mag(moment));
         test::expectBelow("force at " + std::to_string(angle) + " degrees",
                           mag(sum.z() * std::sin(a) / 3 - 1), 0.02);
         EXPECT_EQ(model.ofWall(gap, true), 0);

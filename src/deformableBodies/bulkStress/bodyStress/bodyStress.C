@@ -1,0 +1,144 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "bodyStress.H"
+#include "Time.H"
+
+namespace
+{
+using namespace Foam;
+
+//- visit(group) of the groups whose forces the fluid feels
+template<class Visit>
+void actingGroups(const bodySystem& system, Visit visit)
+{
+    forAll(system.groups, g)
+    {
+        if (system.groups[g].twoWay()) visit(g);
+    }
+}
+} // namespace
+
+Foam::scalar Foam::bodyStress::contrast(const label g) const
+{
+    const bodyGroup& group = system_.groups[g];
+    if (!system_.contrast || !group.inside()) return 0;
+    const scalar around =
+        group.host() < 0
+            ? 1
+            : system_.groups[group.host()].inside()->viscosityRatio();
+    return group.inside()->viscosityRatio() - around;
+}
+
+Foam::wordList Foam::bodyStress::names() const
+{
+    DynamicList<word> all;
+    actingGroups(system_,
+                 [&](const label g)
+                 {
+                     const bodyGroup& group = system_.groups[g];
+                     all.append(group.name());
+                     if (group.report().nCoupleMarkers())
+                     {
+                         all.append(group.name() + "Couple");
+                     }
+                     if (contrast(g) != 0)
+                     {
+                         all.append(group.name() + "Viscosity");
+                     }
+                 });
+    if (system_.interactions)
+    {
+        all.append("contacts");
+        if (system_.interactions->resists()) all.append("films");
+    }
+    all.append("netForces");
+    return wordList(std::move(all));
+}
+
+void Foam::bodyStress::addForces(const label g, tensor& own, tensor& couple,
+                                 tensor& net) const
+{
+    const bodyGroup& group = system_.groups[g];
+    const Time& time = system_.mesh.time();
+    const uniformGrid& grid = system_.grid;
+    vectorField X(group.nMarkers()), F(group.nMarkers());
+    group.loads(X.data(), F.data(), time.value() - 0.5 * time.deltaTValue());
+    const point middle(grid.origin() + 0.5 * grid.length());
+    const label n = group.mine().size(), each = n ? X.size() / n : 0,
+                nForces = each - group.report().nCoupleMarkers();
+    for (label i = 0; i < n; ++i)
+    {
+        const point centre(group.centre(i));
+        vector sum(Zero);
+        for (label k = i * each; k < (i + 1) * each; ++k)
+        {
+            sum += F[k];
+            (k - i * each < nForces ? own : couple) += F[k] * (X[k] - centre);
+        }
+        if (system_.interactions)
+        {
+            sum -= system_.interactions->forceOn(g, group.mine()[i]);
+        }
+        vector arm(centre - middle);
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (grid.periodic(d)) arm[d] = 0;
+        }
+        net += sum * arm;
+    }
+}
+
+Foam::tensor Foam::bodyStress::viscousMoment(const label g) const
+{
+    const bodyGroup& group = system_.groups[g];
+    const label n = group.mine().size(), each = n ? group.nMarkers() / n : 0;
+    vectorField dS(group.nMarkers()), X(each), V(each);
+    group.inside()->areas(dS.data());
+    tensor moment(Zero);
+    for (label i = 0; i < n; ++i)
+    {
+        group.contactPoints(i, X.data(), V.data());
+        for (label k = 0; k < each; ++k)
+        {
+            moment += V[k] * dS[i * each + k];
+        }
+    }
+    return moment + moment.T();
+}
+
+Foam::tensorField Foam::bodyStress::parts() const
+{
+    const vector L(system_.grid.length());
+    const scalar perVolume = 1 / (L.x() * L.y() * L.z());
+    DynamicList<tensor> all;
+    tensor net(Zero);
+    actingGroups(
+        system_,
+        [&](const label g)
+        {
+            tensor own(Zero), couple(Zero);
+            addForces(g, own, couple, net);
+            all.append(-perVolume * own);
+            if (system_.groups[g].report().nCoupleMarkers())
+            {
+                all.append(-perVolume * couple);
+            }
+            if (contrast(g) != 0)
+            {
+                all.append(perVolume * contrast(g) * system_.rho *
+                           system_.nu->value() * viscousMoment(g));
+            }
+        });
+    if (system_.interactions)
+    {
+        all.append(-perVolume * system_.interactions->contactMoment());
+        if (system_.interactions->resists())
+        {
+            all.append(-perVolume * system_.interactions->filmMoment());
+        }
+    }
+    all.append(-perVolume * net);
+    tensorField sums(std::move(all));
+    reduce(sums, sumOp<tensorField>());
+    return sums;
+}

@@ -1,0 +1,188 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "bulkStress.H"
+#include "caseFiles.H"
+#include "dictionaryChecks.H"
+#include "lastStep.H"
+#include "mathematicalConstants.H"
+
+Foam::string Foam::bulkStress::obstacle(const bodySystem& system,
+                                        const shearSides& sides)
+{
+    if (!system.twoWay()) return "no bodies act on the fluid";
+    if (system.nu->isMean()) return "the viscosity of the fluid is not uniform";
+    if (sides.rate == 0) return "no sides of the box move against each other";
+    if (sides.oblique > 1e-6) return "sides move in no direction of the mesh";
+    return string::null;
+}
+
+std::unique_ptr<Foam::bulkStress>
+Foam::bulkStress::New(const dictionary& dict, const bodySystem& system,
+                      const flow& flow, const bool implicit)
+{
+    std::unique_ptr<bulkStress> none;
+    if (system.empty() || system.withoutFluid) return none;
+    const string why(obstacle(system, shearSides::of(system.mesh)));
+    const bool given = dict.found("bulkStress"),
+               isDict = dict.isDict("bulkStress");
+    const bool wanted =
+        isDict || !given || Switch(dict.get<word>("bulkStress"));
+    if (wanted && given && !why.empty())
+    {
+        refuse(dict, "bulkStress", valueOf(*dict.findEntry("bulkStress")),
+               "off, as " + why);
+    }
+    const bool made = wanted && why.empty();
+    system.effects.declare("bulkStress", made,
+                           made      ? "postProcessing/bulkStress"
+                           : !wanted ? string("bulkStress off")
+                                     : why);
+    if (!made) return none;
+    return std::unique_ptr<bulkStress>(
+        new bulkStress(isDict ? dict.subDict("bulkStress") : dictionary(),
+                       system, flow, implicit));
+}
+
+Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
+                             const flow& flow, const bool implicit)
+    : system_(system),
+      flow_(flow),
+      bodies_(system),
+      parts_(bodies_.names()),
+      implicit_(implicit),
+      interval_(dict.getOrDefault<label>("interval", 10)),
+      startAverage_(dict.getOrDefault<scalar>("startAverage", -GREAT)),
+      lastTime_(system.mesh.time().startTime().value()),
+      means_(columns().size()),
+      state_("bulkStress", "uniform", system.mesh,
+             [this](Ostream& os) { writeState(os); })
+{
+    checkEntries(dict);
+    const auto saved = stateOfTime(system.mesh, "bulkStress");
+    if (saved && saved->get<wordList>("columns") == columns())
+    {
+        means_.restore(saved->get<scalarList>("sums"));
+        lastTime_ = saved->get<scalar>("lastTime");
+    }
+    const shearSides sides(shearSides::of(system.mesh));
+    const scalar H = system.grid.length()[sides.gradient];
+    Info << "Bulk stress: the stress of the sides takes "
+         << sqr(H / constant::mathematical::pi) / system.nu->value()
+         << " s to settle, H^2/(pi^2 nu)" << nl << endl;
+}
+
+void Foam::bulkStress::checkEntries(const dictionary& dict) const
+{
+    Foam::checkEntries(dict, {"interval", "startAverage", "type", "libs",
+                              "enabled", "region", "log"});
+    if (interval_ < 1)
+    {
+        refuse(dict, "interval", Foam::name(interval_), "1 and more");
+    }
+    const scalar end = system_.mesh.time().endTime().value();
+    if (startAverage_ >= end)
+    {
+        refuse(dict, "startAverage", Foam::name(startAverage_),
+               "times before endTime, " + Foam::name(end));
+    }
+}
+
+Foam::bulkStress::fluidStress
+Foam::bulkStress::measure(const shearSides& sides) const
+{
+    const uniformGrid& grid = system_.grid;
+    const direction f = sides.flow, g = sides.gradient, v = 3 - f - g;
+    const scalar h = grid.h()[g], rho = system_.rho,
+                 mu = rho * system_.nu->value();
+    const layerMeans means(flow_(f, g));
+    const label n = means.u.size();
+    fluidStress s{2 * mu / h * (means.u[0][f] - sides.lower[f]),
+                  2 * mu / h * (sides.upper[f] - means.u[n - 1][f]), Zero,
+                  -rho * average(means.product), 0};
+    for (label j = 0; j < n; ++j)
+    {
+        const vector& u = means.u[j];
+        const vector fluctuation(means.squares[j] - cmptMultiply(u, u));
+        s.normal -=
+            rho / n * vector(fluctuation[f], fluctuation[g], fluctuation[v]);
+        s.moment += rho / n * (j + 0.5 - 0.5 * n) * h * u[f];
+    }
+    return s;
+}
+
+void Foam::bulkStress::begin()
+{
+    const label step = stepIndex(system_.mesh.time());
+    if (!due(step) || begun_ == step) return;
+    const auto timing(system_.effects.time("bulkStress"));
+    begun_ = step;
+    before_ = lastLine_ == step - 1 ? after_
+                                    : measure(shearSides::of(system_.mesh));
+}
+
+void Foam::bulkStress::end()
+{
+    const Time& time = system_.mesh.time();
+    const label step = stepIndex(time);
+    if (begun_ == step && lastLine_ != step)
+    {
+        const auto timing(system_.effects.time("bulkStress"));
+        lastLine_ = step;
+        const shearSides sides(shearSides::of(system_.mesh));
+        after_ = measure(sides);
+        const scalarList values(line(sides));
+        means_.add(time.value(), time.value() - lastTime_, values);
+        lastTime_ = time.value();
+        write(time.value(), values);
+    }
+    const bool ends =
+        time.value() > time.endTime().value() - 0.5 * time.deltaTValue();
+    if (time.writeTime() || ends) writeAverages();
+}
+
+Foam::scalarList Foam::bulkStress::line(const shearSides& sides) const
+{
+    const direction f = sides.flow, g = sides.gradient, v = 3 - f - g;
+    const scalar unit = system_.rho * system_.nu->value() * sides.rate;
+    const scalar dt = system_.mesh.time().deltaTValue();
+    const scalar last = implicit_ ? 1 : 0.5, first = 1 - last;
+    const auto mean = [&](const scalar fluidStress::*term)
+    { return (first * before_.*term + last * after_.*term) / unit; };
+
+    const tensorField parts(bodies_.parts());
+    tensor all(Zero);
+    scalar contactPressure = 0;
+    forAll(parts, i)
+    {
+        all += parts[i];
+        if (parts_[i] == "contacts") contactPressure = -tr(parts[i]) / 3;
+    }
+    const vector normal((first * before_.normal + last * after_.normal +
+                         vector(all(f, f), all(g, g), all(v, v))) /
+                        mag(unit));
+    const scalar lower = mean(&fluidStress::lower),
+                 upper = mean(&fluidStress::upper),
+                 wall = 0.5 * (lower + upper);
+    const scalar bodies = all(f, g) / unit,
+                 reynolds = mean(&fluidStress::shear);
+    const scalar unsteady = (after_.moment - before_.moment) / dt / unit;
+
+    DynamicList<scalar> values;
+    for (const scalar x :
+         {1 + bodies + reynolds, normal[0] - normal[1], normal[1] - normal[2],
+          bodies, reynolds, wall})
+    {
+        values.append(x);
+    }
+    for (const tensor& part : parts)
+    {
+        values.append(part(f, g) / unit);
+    }
+    for (const scalar x :
+         {unsteady, wall - 1 - bodies - reynolds - unsteady, lower, upper,
+          contactPressure / mag(unit)})
+    {
+        values.append(x);
+    }
+    return scalarList(std::move(values));
+}

@@ -1,0 +1,123 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+// Columns, lines and means of the bulk stress
+
+#include "bulkStress.H"
+#include "resultFile.H"
+
+namespace
+{
+Foam::fileName folderOf(const Foam::fvMesh& mesh)
+{
+    return Foam::fileName(mesh.dbDir()) / "bulkStress";
+}
+} // namespace
+
+Foam::wordList Foam::bulkStress::columns() const
+{
+    DynamicList<word> all;
+    for (const word name : {"relativeViscosity", "N1", "N2", "particleStress",
+                            "reynoldsStress", "wallStress"})
+    {
+        all.append(name);
+    }
+    all.append(parts_);
+    for (const word name : {"unsteady", "residual", "wallLower", "wallUpper",
+                            "contactPressure"})
+    {
+        all.append(name);
+    }
+    return wordList(std::move(all));
+}
+
+void Foam::bulkStress::write(const scalar time, const scalarList& values)
+{
+    if (!Pstream::master()) return;
+    if (!file_.valid())
+    {
+        file_ = newResultFile(system_.mesh.time(), folderOf(system_.mesh),
+                              "bulkStress.dat");
+        file_() << "# time";
+        for (const word& name : columns())
+        {
+            file_() << ' ' << name;
+        }
+        file_() << nl << "# s";
+        forAll(values, i)
+        {
+            file_() << (i ? " 1" : " of-mu-times-the-rate,-all");
+        }
+        file_() << endl;
+        file_().precision(10);
+    }
+    file_() << time;
+    for (const scalar x : values)
+    {
+        file_() << ' ' << x;
+    }
+    file_() << endl;
+}
+
+// Numbers as text, whatever the format of the fields: a list without its size is read so
+void Foam::bulkStress::writeState(Ostream& os) const
+{
+    OStringStream text;
+    text.precision(17);
+    text << "lastTime " << lastTime_ << token::END_STATEMENT << nl << "sums (";
+    for (const scalar x : means_.state())
+    {
+        text << x << nl;
+    }
+    text << ')' << token::END_STATEMENT << nl;
+    os.writeEntry("columns", columns());
+    os << text.str().c_str();
+}
+
+Foam::label Foam::bulkStress::firstBlock() const
+{
+    return startAverage_ > -GREAT ? means_.firstFrom(startAverage_)
+                                  : means_.afterTransient(0);
+}
+
+void Foam::bulkStress::writeAverages()
+{
+    const label first = firstBlock();
+    if (first >= means_.nBlocks())
+    {
+        Info << "Bulk stress: the transient is not over, no averages yet" << nl;
+        return;
+    }
+    if (!Pstream::master()) return;
+    const wordList names(columns());
+    if (!averages_.valid())
+    {
+        averages_ = newResultFile(system_.mesh.time(), folderOf(system_.mesh),
+                                  "averages.dat");
+        averages_() << "# time from";
+        for (const word& name : names)
+        {
+            averages_() << ' ' << name << ' ' << name << "Error";
+        }
+        averages_() << nl << "# s s";
+        forAll(names, i)
+        {
+            averages_() << " 1 1(-1:not-known)";
+        }
+        averages_() << endl;
+        averages_().precision(10);
+    }
+    averages_() << lastTime_ << ' ' << means_.start(first);
+    forAll(names, i)
+    {
+        const blockMeans::mean m(means_.of(i, first));
+        averages_() << ' ' << m.value << ' ' << m.error;
+    }
+    averages_() << endl;
+
+    const blockMeans::mean viscosity(means_.of(0, first));
+    Info << "Bulk stress from " << means_.start(first)
+         << " s on: relative viscosity " << viscosity.value;
+    if (viscosity.error >= 0) Info << " +- " << viscosity.error;
+    Info << ", N1 " << means_.of(1, first).value << ", N2 "
+         << means_.of(2, first).value << nl;
+}
