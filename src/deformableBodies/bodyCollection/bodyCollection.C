@@ -21,7 +21,14 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
                            IOobject::AUTO_WRITE)),
       system_(mesh, solverBalances),
       limits_(system_),
-      motion_(system_, trouble_)
+      motion_(system_, trouble_),
+      flow_(
+          [this](const direction f, const direction g)
+          {
+              return layerMeans(
+                  system_.grid, f, g,
+                  system_.mesh.lookupObject<volVectorField>("U"));
+          })
 {
     const IOobject io("deformableBodies", mesh.time().constant(), mesh,
                       IOobject::MUST_READ, IOobject::NO_WRITE, false);
@@ -206,10 +213,24 @@ void Foam::bodyCollection::endStep(const std::function<void()>& beforeStop)
     stop();
 }
 
-void Foam::bodyCollection::watchStress(const bulkStress::flow& flow,
-                                       const bool implicit)
+void Foam::bodyCollection::watchStress(const bool implicit,
+                                       const dictionary* function)
 {
-    stress_ = bulkStress::New(stressEntry_, system_, flow, implicit);
+    stress_ = bulkStress::New(function ? *function : stressEntry_, system_,
+                              flow_, implicit);
+}
+
+Foam::scalarField Foam::bodyCollection::layerForces(const direction f,
+                                                    const direction g) const
+{
+    staggeredField faces(system_.grid.box());
+    motion_.spreadLoads(faces);
+    scalarField sums(system_.grid.n()[g], Zero);
+    faces.box().cells([&](const label i, const labelVector& cell)
+                      { sums[cell[g]] += faces[f][i]; });
+    sums *= system_.grid.cellVolume();
+    reduce(sums, sumOp<scalarField>());
+    return sums;
 }
 
 void Foam::bodyCollection::draw()

@@ -47,7 +47,14 @@ std::vector<Foam::bodyColumn> Foam::capsuleReport::columns() const
             {"breadth", "m"},
             {"width", "m"},
             {"energy", "J"},
-            {"lambdaMax", "of-the-stress-free-length", true}};
+            {"lambdaMax", "of-the-stress-free-length", true},
+            {"velocityX", "m/s"},
+            {"velocityY", "m/s"},
+            {"velocityZ", "m/s"},
+            {"axisX", "1"},
+            {"axisY", "1"},
+            {"axisZ", "1"},
+            {"spin", "1/s"}};
 }
 
 Foam::scalarList Foam::capsuleReport::sample(const label i) const
@@ -62,11 +69,10 @@ Foam::scalarList Foam::capsuleReport::sample(const label i) const
     // Equivalent ellipsoid: moments V a^2/5. Iterations keep the digits that
     // formulas lose where axes are nearly equal
     const tensor full(5 / m.volume * m.moments);
-    const Eigen::Vector3d squares(
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
-            Eigen::Map<const Eigen::Matrix3d>(full.cdata()),
-            Eigen::EigenvaluesOnly)
-            .eigenvalues());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(
+        Eigen::Map<const Eigen::Matrix3d>(full.cdata()));
+    const Eigen::Vector3d squares(principal.eigenvalues()),
+        longest(principal.eigenvectors().col(2));
     const auto axis = [&](const int k)
     { return std::sqrt(std::max(squares[k], 0.0)); };
     const scalar breadth = axis(0), width = axis(1), length = axis(2);
@@ -79,6 +85,12 @@ Foam::scalarList Foam::capsuleReport::sample(const label i) const
     const scalar inclination =
         round ? 0 : 90 / constant::mathematical::pi * std::atan2(fg, across);
 
+    // Motion; the surface turns from the first direction of the shear plane to the second
+    const auto motion = group_.shell_->motionLast(
+        x, group_.capsules_[i].velocity, m.centre, m.volume);
+    const direction n = 3 - f - g;
+    const scalar spin = (g == (f + 1) % 3 ? 1 : -1) * motion.spin[n];
+
     return {m.centre.x(),
             m.centre.y(),
             m.centre.z(),
@@ -90,7 +102,14 @@ Foam::scalarList Foam::capsuleReport::sample(const label i) const
             breadth,
             width,
             energy,
-            stretch};
+            stretch,
+            motion.velocity.x(),
+            motion.velocity.y(),
+            motion.velocity.z(),
+            longest[0],
+            longest[1],
+            longest[2],
+            spin};
 }
 
 Foam::bodySurface Foam::capsuleReport::surface(const label i) const

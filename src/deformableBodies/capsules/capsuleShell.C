@@ -88,6 +88,30 @@ void Foam::capsuleShell::measure(const numbers& x, const numbers& xt,
     m.centre += origin;
 }
 
+Foam::capsuleShell::motion
+Foam::capsuleShell::motionLast(const numbers& x, const numbers& v,
+                               const vector& X, const scalar volume) const
+{
+    const label n = grid().nPoints();
+    const numbers &xt = membrane_.xTheta(), &xp = membrane_.xPhi();
+    numbers velocities(onGrid_.size());
+    grid().values(x.data(), onGrid_.data());
+    grid().values(v.data(), velocities.data());
+    vector flux(Zero), swirl(Zero), inertia(Zero);
+    for (label k = 0; k < n; ++k)
+    {
+        const vector r(vectorOf(onGrid_, n, k) - X),
+            u(vectorOf(velocities, n, k));
+        const vector dS(grid().weight(k) *
+                        (vectorOf(xt, n, k) ^ vectorOf(xp, n, k)));
+        const vector squares(cmptMultiply(r, r));
+        flux += (u & dS) * r;
+        swirl += mag(dS) * (r ^ u);
+        inertia += mag(dS) * (vector(1, 1, 1) * cmptSum(squares) - squares);
+    }
+    return {flux / volume, cmptDivide(swirl, inertia)};
+}
+
 void Foam::capsuleShell::volumeGradient(const numbers& x, numbers& g) const
 {
     grid().gradient(x.data(), xt_.data(), xp_.data());

@@ -98,7 +98,11 @@ std::vector<Foam::bodyColumn> Foam::filamentReport::columns() const
             {"energy", "J"},      {"maxTension", "N"},
             {"angle", "degrees"}, {"iterations", "Newton-per-step", true},
             {"forceX", "N"},      {"forceY", "N"},
-            {"forceZ", "N"},      {"slip", "m/s", true}};
+            {"forceZ", "N"},      {"slip", "m/s", true},
+            {"velocityX", "m/s"}, {"velocityY", "m/s"},
+            {"velocityZ", "m/s"}, {"axisX", "1"},
+            {"axisY", "1"},       {"axisZ", "1"},
+            {"spin", "1/s"},      {"curvature", "1/m"}};
 }
 
 Foam::scalarList Foam::filamentReport::sample(const label i) const
@@ -112,7 +116,27 @@ Foam::scalarList Foam::filamentReport::sample(const label i) const
     {
         centre += 0.5 / N * (X[k] + X[k + 1]);
     }
-    const vector across(X[N] - X[0]);
+    const vector across(X[N] - X[0]), axis(across / max(mag(across), VSMALL));
+
+    // Rate at which the direction of the ends turns in the shear plane, and the root mean
+    // square of the curvature
+    const vectorField& V = x.velocities();
+    vector velocity(Zero);
+    for (label k = 0; k < N; ++k)
+    {
+        velocity += 0.5 / N * (V[k] + V[k + 1]);
+    }
+    const direction f = group_.shearPlane_[0], g = group_.shearPlane_[1];
+    const vector apart(V[N] - V[0]);
+    const scalar spin = (across[f] * apart[g] - across[g] * apart[f]) /
+                        max(sqr(across[f]) + sqr(across[g]), VSMALL);
+    scalar bend = 0;
+    for (label k = 1; k < N; ++k)
+    {
+        bend += magSqr(X[k + 1] - 2 * X[k] + X[k - 1]);
+    }
+    bend = std::sqrt(bend / max(N - 1, label(1))) /
+           sqr(group_.properties_.ds());
     return {centre.x(),
             centre.y(),
             centre.z(),
@@ -130,15 +154,23 @@ Foam::scalarList Foam::filamentReport::sample(const label i) const
             force.x(),
             force.y(),
             force.z(),
-            group_.bodies_[i].slip};
+            group_.bodies_[i].slip,
+            velocity.x(),
+            velocity.y(),
+            velocity.z(),
+            axis.x(),
+            axis.y(),
+            axis.z(),
+            spin,
+            bend};
 }
 
-// A line along the nodes
 Foam::label Foam::filamentReport::nCoupleMarkers() const
 {
     return group_.markersEach() - group_.points_.size();
 }
 
+// A line along the nodes
 Foam::bodySurface Foam::filamentReport::surface(const label i) const
 {
     const filament& x = group_.bodies_[i].line;

@@ -57,6 +57,12 @@ bool Foam::isDue(const dictionary& function, const Time& time)
     return (!onlyWrites && due("execute")) || due("write");
 }
 
+bool Foam::needsNoFields(const dictionary& function)
+{
+    return wordList({"bodyStatistics", "phaseProfiles"})
+        .found(function.getOrDefault<word>("type", ""));
+}
+
 bool Foam::isLookedAt(const word& field, const Time& time)
 {
     return any(field, time,

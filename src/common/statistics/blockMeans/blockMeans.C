@@ -61,13 +61,13 @@ Foam::label Foam::blockMeans::afterTransient(const label value) const
         ++n;
         sum += x;
         squares += sqr(x);
-        if (n < leastBatches) continue;
+        if (n < leastBatches || 2 * b > nBlocks()) continue;
         const scalar variance = (squares - sqr(sum) / n) / sqr(n);
         if (variance > least) continue;
         least = variance;
         first = b;
     }
-    return 2 * first > nBlocks() ? nBlocks() : first;
+    return first >= nBlocks() / 2 ? nBlocks() : first;
 }
 
 Foam::blockMeans::mean Foam::blockMeans::of(const label value,

@@ -49,6 +49,7 @@ Foam::wordList Foam::bodyStress::names() const
     if (system_.interactions)
     {
         all.append("contacts");
+        all.append("wallContacts");
         if (system_.interactions->resists()) all.append("films");
     }
     all.append("netForces");
@@ -132,6 +133,7 @@ Foam::tensorField Foam::bodyStress::parts() const
     if (system_.interactions)
     {
         all.append(-perVolume * system_.interactions->contactMoment());
+        all.append(-perVolume * system_.interactions->wallMoment());
         if (system_.interactions->resists())
         {
             all.append(-perVolume * system_.interactions->filmMoment());

@@ -130,17 +130,24 @@ void Foam::bulkStress::end()
         lastLine_ = step;
         const shearSides sides(shearSides::of(system_.mesh));
         after_ = measure(sides);
-        const scalarList values(line(sides));
+        const tensorField parts(bodies_.parts());
+        const scalarList values(line(sides, parts));
         means_.add(time.value(), time.value() - lastTime_, values);
         lastTime_ = time.value();
-        write(time.value(), values);
+        append(file_, "bulkStress.dat", columns(), values);
+        const tensorField relative(
+            parts / (system_.rho * system_.nu->value() * mag(sides.rate)));
+        append(partsFile_, "parts.dat", partColumns(),
+               UList<scalar>(const_cast<scalar*>(relative.cdata()->cdata()),
+                             9 * relative.size()));
     }
     const bool ends =
         time.value() > time.endTime().value() - 0.5 * time.deltaTValue();
     if (time.writeTime() || ends) writeAverages();
 }
 
-Foam::scalarList Foam::bulkStress::line(const shearSides& sides) const
+Foam::scalarList Foam::bulkStress::line(const shearSides& sides,
+                                        const tensorField& parts) const
 {
     const direction f = sides.flow, g = sides.gradient, v = 3 - f - g;
     const scalar unit = system_.rho * system_.nu->value() * sides.rate;
@@ -149,7 +156,6 @@ Foam::scalarList Foam::bulkStress::line(const shearSides& sides) const
     const auto mean = [&](const scalar fluidStress::*term)
     { return (first * before_.*term + last * after_.*term) / unit; };
 
-    const tensorField parts(bodies_.parts());
     tensor all(Zero);
     scalar contactPressure = 0;
     forAll(parts, i)

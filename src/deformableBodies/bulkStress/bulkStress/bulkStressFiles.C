@@ -30,32 +30,44 @@ Foam::wordList Foam::bulkStress::columns() const
     return wordList(std::move(all));
 }
 
-void Foam::bulkStress::write(const scalar time, const scalarList& values)
+Foam::wordList Foam::bulkStress::partColumns() const
+{
+    DynamicList<word> all;
+    for (const word& part : parts_)
+    {
+        for (const word force : {"X", "Y", "Z"})
+        {
+            for (const word distance : {"X", "Y", "Z"})
+            {
+                all.append(part + force + distance);
+            }
+        }
+    }
+    return wordList(std::move(all));
+}
+
+void Foam::bulkStress::append(autoPtr<OFstream>& file, const word& name,
+                              const wordList& columns,
+                              const UList<scalar>& values) const
 {
     if (!Pstream::master()) return;
-    if (!file_.valid())
+    if (!file.valid())
     {
-        file_ = newResultFile(system_.mesh.time(), folderOf(system_.mesh),
-                              "bulkStress.dat");
-        file_() << "# time";
-        for (const word& name : columns())
+        file = newResultFile(system_.mesh.time(), folderOf(system_.mesh), name);
+        file() << "# time";
+        for (const word& column : columns)
         {
-            file_() << ' ' << name;
+            file() << ' ' << column;
         }
-        file_() << nl << "# s";
-        forAll(values, i)
-        {
-            file_() << (i ? " 1" : " of-mu-times-the-rate,-all");
-        }
-        file_() << endl;
-        file_().precision(10);
+        file() << nl << "# s of-mu-times-the-rate,-all" << endl;
+        file().precision(10);
     }
-    file_() << time;
+    file() << lastTime_;
     for (const scalar x : values)
     {
-        file_() << ' ' << x;
+        file() << ' ' << x;
     }
-    file_() << endl;
+    file() << endl;
 }
 
 // Numbers as text, whatever the format of the fields: a list without its size is read so

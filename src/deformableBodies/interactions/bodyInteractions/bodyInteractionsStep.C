@@ -17,7 +17,7 @@ void Foam::bodyInteractions::update()
     }
     watch_.begin();
     samples_.begin();
-    contactMoment_ = filmMoment_ = tensor::zero;
+    contactMoment_ = wallMoment_ = filmMoment_ = tensor::zero;
     if (!near_.any()) return;
 
     collectPoints();
@@ -37,9 +37,9 @@ void Foam::bodyInteractions::update()
     {
         watch_.lookBehind(surfacePairs_->pairs(), touchingAreas());
     }
+    contactMoment_ -= momentAboutCentres();
     actOfWalls();
     watch_.end();
-    contactMoment_ -= momentAboutCentres();
     samples_.addPower(points_.power(), time_.deltaTValue());
 }
 
@@ -145,6 +145,7 @@ void Foam::bodyInteractions::actOfWalls()
         const nearBodies::body& body = near_.bodies()[b];
         if (!body.nearWall) continue;
         const contactPoints::range& points = points_.ofBody(b);
+        const point centre(groups_[body.group].centre(body.local));
         for (label k = points.first; k < points.end(); ++k)
         {
             const vector& x = points_.X()[k];
@@ -155,7 +156,7 @@ void Foam::bodyInteractions::actOfWalls()
             const scalar P = models_.ofWall(distance - p.radius, p.radius == 0);
             const vector force(P * p.size * inward);
             points_.forces().F[k] += force;
-            contactMoment_ += force * (distance * inward);
+            wallMoment_ += force * (centre - (x - distance * inward));
 
             // A point without velocity is held at the wall
             if (P > 0 && distance < 0.5 * p.radius && mag(points_.V()[k]) > 0)

@@ -1,0 +1,150 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "bodyStatistics.H"
+#include "addToRunTimeSelectionTable.H"
+#include "bodyCollection.H"
+#include "bodyWriter.H"
+#include "caseFiles.H"
+#include "dictionaryChecks.H"
+#include "OSspecific.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+defineTypeNameAndDebug(bodyStatistics, 0);
+addToRunTimeSelectionTable(functionObject, bodyStatistics, dictionary);
+} // namespace functionObjects
+} // namespace Foam
+
+Foam::functionObjects::bodyStatistics::bodyStatistics(const word& name,
+                                                      const Time& time,
+                                                      const dictionary& dict)
+    : fvMeshFunctionObject(name, time, dict),
+      bodies_(bodyCollection::New(mesh_)),
+      last_(time.value())
+{
+    const groupStatistics::settings settings(readSettings(dict));
+    wordList all;
+    for (const bodyGroup& group : bodies_.groups())
+    {
+        all.append(group.name());
+    }
+    const wordList wanted(dict.getOrDefault<wordList>("groups", all));
+    for (const word& group : wanted)
+    {
+        const label g = all.find(group);
+        if (g < 0) refuse(dict, "groups", group, oneOf(all));
+        groups_.emplace_back(bodies_.groups()[g], uniformGrid::New(mesh_),
+                             settings);
+    }
+    if (groups_.empty())
+    {
+        refuse(dict, "type", typeName,
+               "cases with constant/deformableBodies: there are no bodies");
+    }
+    readState();
+    state_.reset(new stateObject<IOdictionary>(
+        name, "uniform", mesh_,
+        [this](Ostream& os)
+        {
+            OStringStream text;
+            text.precision(17);
+            text << "last " << last_ << ';' << nl;
+            for (const groupStatistics& g : groups_)
+            {
+                text << g.group().name() << nl << '{' << nl;
+                g.writeState(text);
+                text << '}' << nl;
+            }
+            os << text.str().c_str();
+        }));
+}
+
+Foam::groupStatistics::settings
+Foam::functionObjects::bodyStatistics::readSettings(
+    const dictionary& dict) const
+{
+    const uniformGrid& grid = uniformGrid::New(mesh_);
+    grid.require(dict, typeName);
+    const scalar half = 0.5 * cmptMin(grid.length());
+    groupStatistics::settings s{
+        dict.getOrDefault<label>("bins", 40),
+        dict.found("reach") ? readPositive(dict, "reach", dimLength) : half,
+        0,
+        dict.getOrDefault<vector>("alone", Zero),
+        0,
+        1};
+    s.around = dict.found("around") ? readPositive(dict, "around", dimLength)
+                                    : 0.5 * s.reach;
+    if (s.bins < 2 || s.bins > 1000)
+    {
+        refuse(dict, "bins", Foam::name(s.bins), "2 to 1000");
+    }
+    if (max(s.reach, s.around) > half * (1 + 1e-9))
+    {
+        refuse(dict, s.reach > half ? "reach" : "around",
+               Foam::name(max(s.reach, s.around)),
+               "up to " + Foam::name(half) + ", half of the shortest side");
+    }
+    const wordList axes({"x", "y", "z"});
+    const wordList plane(dict.getOrDefault<wordList>("plane", {"x", "y"}));
+    if (plane.size() != 2 || axes.find(plane[0]) < 0 ||
+        axes.find(plane[1]) < 0 || plane[0] == plane[1])
+    {
+        refuse(dict, "plane", valueOf(*dict.findEntry("plane")),
+               "two of x y z, such as (x y)");
+    }
+    s.f = axes.find(plane[0]);
+    s.g = axes.find(plane[1]);
+    const scalar end = time_.endTime().value(),
+                 start = dict.getOrDefault<scalar>("timeStart", -GREAT);
+    if (start >= end)
+    {
+        refuse(dict, "timeStart", Foam::name(start),
+               "times before endTime, " + Foam::name(end));
+    }
+    return s;
+}
+
+void Foam::functionObjects::bodyStatistics::readState()
+{
+    const auto saved = stateOfTime(mesh_, name());
+    if (!saved) return;
+    last_ = saved->get<scalar>("last");
+    for (groupStatistics& g : groups_)
+    {
+        if (saved->found(g.group().name()))
+        {
+            g.readState(saved->subDict(g.group().name()));
+        }
+    }
+}
+
+bool Foam::functionObjects::bodyStatistics::execute()
+{
+    const scalar now = time_.value(), dt = now - last_;
+    if (dt <= 0) return true;
+    last_ = now;
+    for (groupStatistics& g : groups_)
+    {
+        const bodyReport& report = g.group().report();
+        const List<scalarList> rows(bodyWriter::inOrder<scalarList>(
+            g.group(), [&](const label i) { return report.sample(i); }));
+        if (Pstream::master()) g.add(now, dt, rows);
+    }
+    return true;
+}
+
+bool Foam::functionObjects::bodyStatistics::write()
+{
+    if (!Pstream::master()) return true;
+    const fileName dir(time_.globalPath() / "postProcessing" / name() /
+                       time_.timeName());
+    mkDir(dir);
+    for (const groupStatistics& g : groups_)
+    {
+        g.write(dir / g.group().name());
+    }
+    return true;
+}

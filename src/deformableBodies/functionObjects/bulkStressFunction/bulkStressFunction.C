@@ -1,0 +1,42 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "bulkStressFunction.H"
+#include "addToRunTimeSelectionTable.H"
+#include "bodyCollection.H"
+#include "dictionaryChecks.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+defineTypeNameAndDebug(bulkStressFunction, 0);
+addToRunTimeSelectionTable(functionObject, bulkStressFunction, dictionary);
+} // namespace functionObjects
+} // namespace Foam
+
+Foam::functionObjects::bulkStressFunction::bulkStressFunction(
+    const word& name, const Time& time, const dictionary& dict)
+    : fvMeshFunctionObject(name, time, dict),
+      bodies_(bodyCollection::New(mesh_))
+{
+    if (bodies_.isBalancedBySolver())
+    {
+        refuse(dict, "type", typeName,
+               "entry bulkStress in constant/deformableBodies: "
+               "deformableBodyFoam needs no functionObject");
+    }
+    if (bodies_.empty())
+    {
+        refuse(dict, "type", typeName,
+               "cases with constant/deformableBodies: there are no bodies");
+    }
+    dictionary entry(dict.name());
+    entry.add("bulkStress", dict);
+    bodies_.watchStress(true, &entry);
+}
+
+bool Foam::functionObjects::bulkStressFunction::execute()
+{
+    bodies_.endStress();
+    return true;
+}

@@ -1,0 +1,262 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "phaseProfiles.H"
+#include "addToRunTimeSelectionTable.H"
+#include "bodyCollection.H"
+#include "caseFiles.H"
+#include "dictionaryChecks.H"
+#include "layerVolumes.H"
+#include "OSspecific.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+defineTypeNameAndDebug(phaseProfiles, 0);
+addToRunTimeSelectionTable(functionObject, phaseProfiles, dictionary);
+} // namespace functionObjects
+} // namespace Foam
+
+namespace
+{
+Foam::direction acrossSides(const Foam::uniformGrid& grid)
+{
+    for (Foam::direction d = 0; d < 3; ++d)
+    {
+        if (!grid.periodic(d)) return d;
+    }
+    return 1;
+}
+} // namespace
+
+Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
+                                                    const Time& time,
+                                                    const dictionary& dict)
+    : fvMeshFunctionObject(name, time, dict),
+      bodies_(bodyCollection::New(mesh_)),
+      grid_(uniformGrid::New(mesh_)),
+      last_(time.value())
+{
+    grid_.require(dict, typeName);
+    if (bodies_.empty())
+    {
+        refuse(dict, "type", typeName,
+               "cases with constant/deformableBodies: there are no bodies");
+    }
+    g_ = readDirection(dict, "across", acrossSides(grid_));
+    f_ = readDirection(dict, "flow", g_ == 0 ? 1 : 0);
+    if (f_ == g_)
+    {
+        refuse(dict, "flow", dict.getOrDefault<word>("flow", "x"),
+               "a direction other than across");
+    }
+    const scalar end = time.endTime().value(),
+                 start = dict.getOrDefault<scalar>("timeStart", -GREAT);
+    if (start >= end)
+    {
+        refuse(dict, "timeStart", Foam::name(start),
+               "times before endTime, " + Foam::name(end));
+    }
+    const label n = grid_.n()[g_], groups = bodies_.groups().size();
+    u_.setSize(n, Zero);
+    squares_.setSize(n, Zero);
+    for (scalarField* stress : {&viscous_, &reynolds_, &ofBodies_})
+    {
+        stress->setSize(n + 1, Zero);
+    }
+    volume_.setSize(groups, scalarField(n, Zero));
+    momentum_.setSize(groups, vectorField(n, Zero));
+    readState();
+    state_.reset(new stateObject<IOdictionary>(
+        name, "uniform", mesh_,
+        [this](Ostream& os)
+        {
+            OStringStream text;
+            text.precision(17);
+            text << "last " << last_ << ';' << nl << "weight " << weight_ << ';'
+                 << nl << "sums (";
+            sums(
+                [&](const UList<scalar>& numbers)
+                {
+                    for (const scalar x : numbers)
+                    {
+                        text << x << nl;
+                    }
+                });
+            text << ");" << nl;
+            os << text.str().c_str();
+        }));
+}
+
+Foam::direction Foam::functionObjects::phaseProfiles::readDirection(
+    const dictionary& dict, const word& name, const direction otherwise) const
+{
+    const wordList axes({"x", "y", "z"});
+    return axes.find(readWord(dict, name, axes, axes[otherwise]));
+}
+
+template<class Visit>
+void Foam::functionObjects::phaseProfiles::sums(Visit visit)
+{
+    const auto vectors = [&](vectorField& v)
+    {
+        visit(UList<scalar>(reinterpret_cast<scalar*>(v.data()), 3 * v.size()));
+    };
+    vectors(u_);
+    vectors(squares_);
+    for (scalarField* s : {&viscous_, &reynolds_, &ofBodies_})
+    {
+        visit(UList<scalar>(s->data(), s->size()));
+    }
+    forAll(volume_, g)
+    {
+        visit(UList<scalar>(volume_[g].data(), volume_[g].size()));
+        vectors(momentum_[g]);
+    }
+}
+
+void Foam::functionObjects::phaseProfiles::readState()
+{
+    const auto saved = stateOfTime(mesh_, name());
+    if (!saved) return;
+    const scalarList numbers(saved->get<scalarList>("sums"));
+    label n = 0, k = 0;
+    sums([&](const UList<scalar>& to) { n += to.size(); });
+    if (n != numbers.size()) return;
+    sums(
+        [&](UList<scalar> to)
+        {
+            for (scalar& x : to)
+            {
+                x = numbers[k++];
+            }
+        });
+    weight_ = saved->get<scalar>("weight");
+    last_ = saved->get<scalar>("last");
+}
+
+bool Foam::functionObjects::phaseProfiles::execute()
+{
+    const scalar now = time_.value(), dt = now - last_;
+    if (dt <= 0) return true;
+    last_ = now;
+    weight_ += dt;
+    const label n = grid_.n()[g_];
+    const scalar h = grid_.h()[g_], rho = bodies_.rho(), mu = bodies_.mu();
+    const layerMeans means(bodies_.layers(f_, g_));
+    u_ += dt * means.u;
+    squares_ += dt * means.squares;
+    const scalarField force(bodies_.layerForces(f_, g_));
+    const vector L(grid_.length());
+    const scalar layer = L.x() * L.y() * L.z() / n;
+    const shearSides sides(shearSides::of(mesh_));
+    const bool walls = !grid_.periodic(g_);
+    const vector lower(sides.gradient == g_ ? sides.lower : vector::zero),
+        upper(sides.gradient == g_ ? sides.upper : vector::zero);
+    scalar bodies = 0;
+    for (label j = 0; j <= n; ++j)
+    {
+        const scalar below =
+            j > 0 ? means.u[j - 1][f_] : walls ? lower[f_] : means.u[n - 1][f_];
+        const scalar above =
+            j < n ? means.u[j][f_] : walls ? upper[f_] : means.u[0][f_];
+        const bool side = walls && (j == 0 || j == n);
+        viscous_[j] += dt * mu * (above - below) / (side ? 0.5 * h : h);
+        if (!side) reynolds_[j] -= dt * rho * means.product[j % n];
+        ofBodies_[j] += dt * bodies;
+        if (j < n) bodies += force[j] * h / layer;
+    }
+    forAll(bodies_.groups(), g)
+    {
+        scalarField volume;
+        vectorField momentum;
+        layerVolumes(bodies_.groups()[g], grid_, g_, volume, momentum);
+        volume_[g] += dt * volume / layer;
+        momentum_[g] += dt * momentum / layer;
+    }
+    return true;
+}
+
+bool Foam::functionObjects::phaseProfiles::write()
+{
+    if (!Pstream::master() || weight_ == 0) return true;
+    const fileName dir(time_.globalPath() / "postProcessing" / name() /
+                       time_.timeName());
+    mkDir(dir);
+    writeProfiles(OFstream(dir / "profiles.dat")());
+    writeStress(OFstream(dir / "stress.dat")());
+    return true;
+}
+
+void Foam::functionObjects::phaseProfiles::writeFreeLayers(Ostream& os) const
+{
+    scalarField all(u_.size(), Zero);
+    for (const scalarField& volume : volume_)
+    {
+        all += volume;
+    }
+    const scalar half = 0.5 * average(all);
+    const auto thickness = [&](const bool upper)
+    {
+        const label n = all.size();
+        const auto at = [&](const label j) { return all[upper ? n - 1 - j : j]; };
+        label j = 0;
+        while (j < n && at(j) < half)
+            ++j;
+        if (j == 0 || j == n) return j * grid_.h()[g_];
+        return (j - 0.5 + (half - at(j - 1)) / (at(j) - at(j - 1))) *
+               grid_.h()[g_];
+    };
+    os << "# free layers: " << thickness(false) << " and " << thickness(true)
+       << " m" << nl;
+}
+
+void Foam::functionObjects::phaseProfiles::writeProfiles(Ostream& os) const
+{
+    os.precision(10);
+    writeFreeLayers(os);
+    os << "# " << vector::componentNames[g_]
+       << " velocityX velocityY velocityZ rmsX rmsY rmsZ";
+    for (const bodyGroup& group : bodies_.groups())
+    {
+        os << ' ' << group.name() << ' ' << group.name() << "VelocityX "
+           << group.name() << "VelocityY " << group.name() << "VelocityZ";
+    }
+    os << nl;
+    forAll(u_, j)
+    {
+        const vector u(u_[j] / weight_), squares(squares_[j] / weight_);
+        os << grid_.origin()[g_] + (j + 0.5) * grid_.h()[g_];
+        for (direction d = 0; d < 3; ++d)
+        {
+            os << ' ' << u[d];
+        }
+        for (direction d = 0; d < 3; ++d)
+        {
+            os << ' ' << Foam::sqrt(max(squares[d] - sqr(u[d]), scalar(0)));
+        }
+        forAll(volume_, g)
+        {
+            const vector v(momentum_[g][j] / max(volume_[g][j], VSMALL));
+            os << ' ' << volume_[g][j] / weight_ << ' ' << v.x() << ' ' << v.y()
+               << ' ' << v.z();
+        }
+        os << nl;
+    }
+}
+
+void Foam::functionObjects::phaseProfiles::writeStress(Ostream& os) const
+{
+    os.precision(10);
+    os << "# " << vector::componentNames[g_] << " viscous reynolds bodies sum"
+       << nl << "# m Pa Pa Pa Pa" << nl;
+    forAll(viscous_, j)
+    {
+        const scalar viscous = viscous_[j] / weight_,
+                     reynolds = reynolds_[j] / weight_,
+                     bodies = ofBodies_[j] / weight_;
+        os << grid_.origin()[g_] + j * grid_.h()[g_] << ' ' << viscous << ' '
+           << reynolds << ' ' << bodies << ' ' << viscous + reynolds + bodies
+           << nl;
+    }
+}
