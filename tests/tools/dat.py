@@ -34,6 +34,33 @@ def difference(a, b, kind="bodies"):
     return "%.2e" % (np.abs(x - y) / np.maximum(np.abs(x).max(0), floor)).max()
 
 
+def largestDifference(a, b):
+    """Largest difference of two tables over the rows whose first words are equal, to nine
+    digits where these are numbers, relative to the largest number of a column or to a
+    thousandth of that of the file. Not a number where the last rows differ."""
+
+    def read(file):
+        rows = {}
+        for line in open(file):
+            if line.startswith("#"):
+                continue
+            first, *rest = line.split()
+            try:
+                first = "%.9g" % float(first)
+            except ValueError:
+                pass
+            rows[first] = [float(x) for x in rest]
+        return rows
+
+    a, b = read(a), read(b)
+    if list(a)[-1] != list(b)[-1]:
+        return np.nan
+    common = [key for key in a if key in b]
+    x, y = (np.array([rows[key] for key in common]) for rows in (a, b))
+    scale = np.maximum(np.abs(x).max(0), 1e-3 * np.abs(x).max())
+    return "%.2e" % (np.abs(x - y) / scale).max()
+
+
 def lastDifference(folder, run, other, column):
     """First file of bodies in two runs: largest difference of a column over the
     bodies at the last time, relative to the largest value of the first run, and both

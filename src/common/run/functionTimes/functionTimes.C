@@ -24,37 +24,48 @@ bool any(const word& field, const Time& time, const Condition& holds)
     }
     return false;
 }
+
+//- True if the control `what` (execute, write) of a functionObject is due. Defaults as in
+//  timeControl
+bool isDue(const dictionary& function, const Time& time, const word& what)
+{
+    const word control(
+        function.getOrDefault<word>(what + "Control", "timeStep"));
+    const label interval =
+        function.getOrDefault<scalar>(what + "Interval", 1) + 0.5;
+    if (control == "timeStep")
+    {
+        return interval <= 1 || time.timeIndex() % interval == 0;
+    }
+    if (control == "writeTime" || control == "outputTime")
+    {
+        return time.writeTime();
+    }
+    if (control == "onEnd")
+    {
+        return time.value() >
+               time.endTime().value() - 0.5 * time.deltaTValue();
+    }
+    return control != "none";
+}
 } // namespace
 
 bool Foam::isDue(const dictionary& function, const Time& time)
 {
-    // Defaults as in timeControl
-    const auto due = [&](const word& what)
-    {
-        const word control(
-            function.getOrDefault<word>(what + "Control", "timeStep"));
-        const label interval =
-            function.getOrDefault<scalar>(what + "Interval", 1) + 0.5;
-        if (control == "timeStep")
-        {
-            return interval <= 1 || time.timeIndex() % interval == 0;
-        }
-        if (control == "writeTime" || control == "outputTime")
-        {
-            return time.writeTime();
-        }
-        if (control == "onEnd")
-        {
-            return time.value() >
-                   time.endTime().value() - 0.5 * time.deltaTValue();
-        }
-        return control != "none";
-    };
     const wordList writers({"writeObjects", "writeRegisteredObject", "probes",
                             "patchProbes", "sets", "systemCall"});
     const bool onlyWrites =
         writers.found(function.getOrDefault<word>("type", ""));
-    return (!onlyWrites && due("execute")) || due("write");
+    return (!onlyWrites && ::isDue(function, time, "execute")) ||
+           ::isDue(function, time, "write");
+}
+
+bool Foam::isExecuted(const dictionary& function, const Time& time)
+{
+    const scalar t = time.value(), half = 0.5 * time.deltaTValue();
+    return t > function.getOrDefault<scalar>("timeStart", -GREAT) - half &&
+           t < function.getOrDefault<scalar>("timeEnd", GREAT) + half &&
+           ::isDue(function, time, "execute");
 }
 
 bool Foam::needsNoFields(const dictionary& function)

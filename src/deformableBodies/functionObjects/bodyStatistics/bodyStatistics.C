@@ -6,6 +6,7 @@
 #include "bodyWriter.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
+#include "functionTimes.H"
 #include "OSspecific.H"
 
 namespace Foam
@@ -46,8 +47,10 @@ Foam::functionObjects::bodyStatistics::bodyStatistics(const word& name,
     readState();
     state_.reset(new stateObject<IOdictionary>(
         name, "uniform", mesh_,
-        [this](Ostream& os)
+        [this, dict](Ostream& os)
         {
+            // Functions execute after the fields are written
+            if (isExecuted(dict, time_)) execute();
             OStringStream text;
             text.precision(17);
             text << "last " << last_ << ';' << nl;

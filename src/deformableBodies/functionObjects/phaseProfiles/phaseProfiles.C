@@ -5,6 +5,7 @@
 #include "bodyCollection.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
+#include "functionTimes.H"
 #include "layerVolumes.H"
 #include "OSspecific.H"
 
@@ -69,8 +70,10 @@ Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
     readState();
     state_.reset(new stateObject<IOdictionary>(
         name, "uniform", mesh_,
-        [this](Ostream& os)
+        [this, dict](Ostream& os)
         {
+            // Functions execute after the fields are written
+            if (isExecuted(dict, time_)) execute();
             OStringStream text;
             text.precision(17);
             text << "last " << last_ << ';' << nl << "weight " << weight_ << ';'
