@@ -22,13 +22,7 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
       system_(mesh, solverBalances),
       limits_(system_),
       motion_(system_, trouble_),
-      flow_(
-          [this](const direction f, const direction g)
-          {
-              return layerMeans(
-                  system_.grid, f, g,
-                  system_.mesh.lookupObject<volVectorField>("U"));
-          })
+      statistics_(system_)
 {
     const IOobject io("deformableBodies", mesh.time().constant(), mesh,
                       IOobject::MUST_READ, IOobject::NO_WRITE, false);
@@ -73,13 +67,9 @@ void Foam::bodyCollection::read(const IOobject& io)
     boxChecks_.reset(new boxChecks(mesh, system_.groups, *system_.markers,
                                    system_.interactions.get()));
     boxChecks_->checkStart(dict);
-    stressEntry_ = dictionary(dict.name());
-    if (dict.found("bulkStress"))
-    {
-        stressEntry_.add(*dict.findEntry("bulkStress"));
-    }
-    output_.reset(new bodyOutput(system_, motion_,
-                                 dict.getOrDefault<bool>("wrap", false)));
+    statistics_.read(dict);
+    output_.reset(
+        new bodyOutput(system_, dict.getOrDefault<bool>("wrap", false)));
 }
 
 Foam::bodyCollection& Foam::bodyCollection::New(const fvMesh& mesh,
@@ -173,7 +163,7 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
     }
     lastMoved_ = system_.mesh.time().value();
     if (empty()) return;
-    if (stress_) stress_->begin();
+    statistics_.begin();
 
     const auto timing(system_.effects.time("boxChecks"));
     system_.ownership->migrate(system_.groups);
@@ -205,37 +195,12 @@ void Foam::bodyCollection::endStep(const std::function<void()>& beforeStop)
     look();
     if (!mustStop())
     {
-        if (system_.solverBalances) endStress();
+        if (system_.solverBalances) statistics_.end();
         output_->sample();
         return;
     }
     beforeStop();
     stop();
-}
-
-void Foam::bodyCollection::watchStress(const bool implicit,
-                                       const dictionary* function)
-{
-    stress_ = bulkStress::New(function ? *function : stressEntry_, system_,
-                              flow_, implicit);
-}
-
-Foam::scalarField Foam::bodyCollection::layerForces(const direction f,
-                                                    const direction g) const
-{
-    staggeredField faces(system_.grid.box());
-    motion_.spreadLoads(faces);
-    scalarField sums(system_.grid.n()[g], Zero);
-    faces.box().cells([&](const label i, const labelVector& cell)
-                      { sums[cell[g]] += faces[f][i]; });
-    sums *= system_.grid.cellVolume();
-    reduce(sums, sumOp<scalarField>());
-    return sums;
-}
-
-void Foam::bodyCollection::draw()
-{
-    if (output_) output_->draw();
 }
 
 void Foam::bodyCollection::stop()

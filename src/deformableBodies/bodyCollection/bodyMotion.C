@@ -54,18 +54,18 @@ void Foam::bodyMotion::moveWithVelocity(const staggeredView& u,
     if (trouble_.any) return;
     if (system_.interactions) system_.interactions->update();
 
-    markers = loads(groups);
-    const vector* F = markers.F.cdata();
+    const bodySystem::markerLoads loads(system_.loads(groups));
+    const vector* F = loads.F.cdata();
     for (const label g : groups)
     {
         if (!system_.groups[g].twoWay()) continue;
         system_.groups[g].recordLoads(F);
         F += system_.groups[g].nMarkers();
     }
-    if (!returnReduce(markers.X.size(), maxOp<label>())) return;
+    if (!returnReduce(loads.X.size(), maxOp<label>())) return;
     const auto spreading(system_.effects.time("spreading"));
-    system_.markers->setPositions(markers.X);
-    system_.markers->spread(markers.F, perMass(force, markers.F));
+    system_.markers->setPositions(loads.X);
+    system_.markers->spread(loads.F, perMass(force, loads.F));
 }
 
 void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p)
@@ -87,7 +87,7 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p,
     vectorField forceBefore;
     if (!p.isOfLastStep)
     {
-        forceBefore = loads(groups).F;
+        forceBefore = system_.loads(groups).F;
         const auto timing(system_.effects.time("spreading"));
         for (label i = 1; i < p.force.size(); ++i)
         {
@@ -108,7 +108,7 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p,
           &trouble_.unsteady});
     if (trouble_.any) return;
 
-    vectorField change(loads(groups).F);
+    vectorField change(system_.loads(groups).F);
     if (!p.isOfLastStep) change -= forceBefore;
     const auto timing(system_.effects.time("spreading"));
     for (const staggeredTarget& force : p.force)
@@ -193,38 +193,6 @@ void Foam::bodyMotion::move(const labelUList& groups,
     {
         interactions->travel(1.5 * step.dt * max(mag(markers.U)));
     }
-}
-
-Foam::bodyMotion::markerValues
-Foam::bodyMotion::loads(const labelUList& groups) const
-{
-    DynamicList<label> acting;
-    for (const label g : groups)
-    {
-        if (system_.groups[g].twoWay()) acting.append(g);
-    }
-    markerValues markers;
-    markers.X.setSize(system_.nMarkers(acting));
-    markers.F.setSize(markers.X.size());
-    const Time& time = system_.mesh.time();
-    const scalar middle = time.value() - 0.5 * time.deltaTValue();
-    label first = 0;
-    for (const label g : acting)
-    {
-        system_.groups[g].loads(markers.X.data() + first,
-                                markers.F.data() + first, middle);
-        first += system_.groups[g].nMarkers();
-    }
-    return markers;
-}
-
-void Foam::bodyMotion::spreadLoads(staggeredField& faces) const
-{
-    const markerValues markers(loads(identity(system_.groups.size())));
-    if (!returnReduce(markers.X.size(), maxOp<label>())) return;
-    const auto timing(system_.effects.time("spreading"));
-    system_.markers->setPositions(markers.X);
-    system_.markers->spread(markers.F, faces);
 }
 
 Foam::staggeredTarget Foam::bodyMotion::perMass(const staggeredTarget& force,

@@ -4,10 +4,8 @@
 #include "functionTimes.H"
 #include "fvc.H"
 
-Foam::bodyOutput::bodyOutput(bodySystem& system, const bodyMotion& motion,
-                             const bool wrap)
+Foam::bodyOutput::bodyOutput(bodySystem& system, const bool wrap)
     : system_(system),
-      motion_(motion),
       writer_(system.mesh, system.groups, system.effects,
               "postProcessing/bodies, " +
                   (system.sampleInterval == 1
@@ -28,7 +26,7 @@ Foam::tmp<Foam::volVectorField> Foam::bodyOutput::force() const
 {
     const fvMesh& mesh = system_.mesh;
     staggeredField faces(system_.grid.box());
-    motion_.spreadLoads(faces);
+    system_.spreadLoads(faces);
     surfaceScalarField flux(
         IOobject("bodyForceFlux", mesh.time().timeName(), mesh), mesh,
         dimensionedScalar(dimForce / dimVolume * dimArea, Zero));

@@ -32,11 +32,11 @@ Foam::functionObjects::bulkStressFunction::bulkStressFunction(
     }
     dictionary entry(dict.name());
     entry.add("bulkStress", dict);
-    bodies_.watchStress(true, &entry);
+    bodies_.statistics().watchStress(true, &entry);
 }
 
 bool Foam::functionObjects::bulkStressFunction::execute()
 {
-    bodies_.endStress();
+    bodies_.statistics().end();
     return true;
 }

@@ -145,11 +145,12 @@ bool Foam::functionObjects::phaseProfiles::execute()
     last_ = now;
     weight_ += dt;
     const label n = grid_.n()[g_];
-    const scalar h = grid_.h()[g_], rho = bodies_.rho(), mu = bodies_.mu();
-    const layerMeans means(bodies_.layers(f_, g_));
+    const scalar h = grid_.h()[g_], rho = bodies_.statistics().rho(),
+                 mu = bodies_.statistics().mu();
+    const layerMeans means(bodies_.statistics().layers(f_, g_));
     u_ += dt * means.u;
     squares_ += dt * means.squares;
-    const scalarField force(bodies_.layerForces(f_, g_));
+    const scalarField force(bodies_.statistics().forces(f_, g_));
     const vector L(grid_.length());
     const scalar layer = L.x() * L.y() * L.z() / n;
     const shearSides sides(shearSides::of(mesh_));

@@ -40,6 +40,37 @@ Foam::label Foam::bodySystem::nMarkers(const labelUList& which) const
     return n;
 }
 
+Foam::bodySystem::markerLoads
+Foam::bodySystem::loads(const labelUList& which) const
+{
+    DynamicList<label> acting;
+    for (const label g : which)
+    {
+        if (groups[g].twoWay()) acting.append(g);
+    }
+    markerLoads all;
+    all.X.setSize(nMarkers(acting));
+    all.F.setSize(all.X.size());
+    const Time& time = mesh.time();
+    const scalar middle = time.value() - 0.5 * time.deltaTValue();
+    label first = 0;
+    for (const label g : acting)
+    {
+        groups[g].loads(all.X.data() + first, all.F.data() + first, middle);
+        first += groups[g].nMarkers();
+    }
+    return all;
+}
+
+void Foam::bodySystem::spreadLoads(staggeredField& faces) const
+{
+    const markerLoads all(loads(identity(groups.size())));
+    if (!returnReduce(all.X.size(), maxOp<label>())) return;
+    const auto timing(effects.time("spreading"));
+    markers->setPositions(all.X);
+    markers->spread(all.F, faces);
+}
+
 bool Foam::bodySystem::adjustsStep() const
 {
     return mesh.time().controlDict().getOrDefault<bool>("adjustTimeStep",

@@ -1,0 +1,43 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "bulkStatistics.H"
+#include "volFields.H"
+
+Foam::bulkStatistics::bulkStatistics(const bodySystem& system)
+    : system_(system),
+      layers_(
+          [&system](const direction f, const direction g)
+          {
+              return layerMeans(
+                  system.grid, f, g,
+                  system.mesh.lookupObject<volVectorField>("U"));
+          })
+{
+}
+
+void Foam::bulkStatistics::read(const dictionary& dict)
+{
+    entry_ = dictionary(dict.name());
+    const entry* given = dict.findEntry("bulkStress");
+    if (given) entry_.add(*given);
+}
+
+Foam::scalarField Foam::bulkStatistics::forces(const direction f,
+                                               const direction g) const
+{
+    staggeredField faces(system_.grid.box());
+    system_.spreadLoads(faces);
+    scalarField sums(system_.grid.n()[g], Zero);
+    faces.box().cells([&](const label i, const labelVector& cell)
+                      { sums[cell[g]] += faces[f][i]; });
+    sums *= system_.grid.cellVolume();
+    reduce(sums, sumOp<scalarField>());
+    return sums;
+}
+
+void Foam::bulkStatistics::watchStress(const bool implicit,
+                                       const dictionary* function)
+{
+    stress_ = bulkStress::New(function ? *function : entry_, system_, layers_,
+                              implicit);
+}
