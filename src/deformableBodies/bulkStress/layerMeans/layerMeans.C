@@ -26,28 +26,43 @@ Foam::layerMeans::layerMeans(const uniformGrid& grid, const direction f,
     : layerMeans(grid.n()[g])
 {
     const cellBox& box = grid.box();
-    const FixedList<label, 3> stride({1, view.row, view.layer});
-    const scalar* along = view.first[f];
-    const scalar* across = view.first[g];
+    const label step[3] = {1, view.row, view.layer};
+    const label toF = step[f], toG = step[g], nx = box.size.x();
+    const auto addRow = [&](const label layer, const label first, const label n)
+    {
+        const bool onWall = layer == 0 && !grid.periodic(g);
+        for (direction d = 0; d < 3; ++d)
+        {
+            const scalar* v = view.first[d] + first;
+            scalar sum = 0, sumOfSquares = 0;
+            for (label i = 0; i < n; ++i)
+            {
+                sum += v[i];
+                sumOfSquares += v[i] * v[i];
+            }
+            u[layer][d] += sum;
+            squares[layer][d] += sumOfSquares;
+        }
+        if (onWall) return;
+        const scalar *a = view.first[f] + first, *b = view.first[g] + first;
+        scalar sum = 0;
+        for (label i = 0; i < n; ++i)
+        {
+            sum += (a[i] + a[i - toG]) * (b[i] + b[i - toF]);
+        }
+        product[layer] += 0.25 * sum;
+    };
     for (label k = 0; k < box.size.z(); ++k)
     {
         for (label j = 0; j < box.size.y(); ++j)
         {
             const label first = view.index(labelVector(0, j, k));
-            for (label i = 0; i < box.size.x(); ++i)
+            const labelVector cell(box.lo + labelVector(0, j, k));
+            for (label i = 0; g == 0 && i < nx; ++i)
             {
-                const label q = first + i;
-                const label layer = (labelVector(i, j, k) + box.lo)[g];
-                for (direction d = 0; d < 3; ++d)
-                {
-                    const scalar v = view.first[d][q];
-                    u[layer][d] += v;
-                    squares[layer][d] += v * v;
-                }
-                if (layer == 0 && !grid.periodic(g)) continue;
-                product[layer] += 0.25 * (along[q] + along[q - stride[g]]) *
-                                  (across[q] + across[q - stride[f]]);
+                addRow(cell.x() + i, first + i, 1);
             }
+            if (g != 0) addRow(cell[g], first, nx);
         }
     }
     finish(cellsPerLayer(grid, g));
