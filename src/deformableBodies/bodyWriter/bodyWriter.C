@@ -45,8 +45,17 @@ void Foam::bodyWriter::sample(const scalar now)
     if (Pstream::master() && files_.empty())
     {
         files_.setSize(groups_.size());
+        means_.setSize(groups_.size());
         forAll(groups_, g)
         {
+            if (groups_[g].nBodies() > 1)
+            {
+                means_.set(
+                    g, new groupMeans(
+                           newResultFile(time_, region_ / "bodyMeans",
+                                         groups_[g].name() + ".dat"),
+                           columns[g]));
+            }
             files_.set(g, newResultFile(time_, region_ / "bodies",
                                         groups_[g].name() + ".dat"));
             std::string names("# time body"), units("# [s] [number]");
@@ -80,6 +89,7 @@ void Foam::bodyWriter::sample(const scalar now)
             text += '\n';
         }
         files_[g].stdStream() << text << std::flush;
+        if (means_.set(g)) means_[g].write(now, rows[g]);
         log(groups_[g].name(), columns[g], rows[g]);
     }
 }

@@ -131,9 +131,9 @@ Foam::bodySurface Foam::capsuleReport::surface(const label i) const
     std::vector<double> onGrid(3 * n), xt(3 * n), xp(3 * n);
     bodySurface s;
     s.vectorNames = {"velocity", "load"};
-    s.scalarNames = {"tension1", "tension2", "curvature"};
+    s.scalarNames = {"tension1", "tension2", "curvature", "area"};
     s.vectors.setSize(2);
-    s.scalars.setSize(3);
+    s.scalars.setSize(4, scalarField(n));
 
     grid.values(c.velocity.data(), onGrid.data());
     s.vectors[0] = vectors(onGrid);
@@ -148,7 +148,9 @@ Foam::bodySurface Foam::capsuleReport::surface(const label i) const
     {
         const vector t(xt[k], xt[n + k], xt[2 * n + k]);
         const vector p(xp[k], xp[n + k], xp[2 * n + k]);
-        s.vectors[1][k] /= mag(t ^ p);
+        const scalar perAngle = mag(t ^ p);
+        s.vectors[1][k] /= perAngle;
+        s.scalars[3][k] = grid.weight(k) * perAngle;
     }
     group_.shell_->elastic().tensions(c.x.data(), T1.data(), T2.data());
     s.scalars[0] = scalarField(UList<scalar>(T1.data(), n));

@@ -17,6 +17,13 @@ Foam::string Foam::filamentReport::describe(const flowScales& flow) const
        << group_.nBodies() * L * 0.25 * constant::mathematical::pi *
               sqr(group_.thickness_) / cmptProduct(group_.scene_.grid.length());
     if (group_.alone()) return os.str();
+    const scalar nL3 = group_.nBodies() * pow3(L) /
+                       cmptProduct(group_.scene_.grid.length());
+    os << ", n L^3 " << nL3
+       << (nL3 < 1                       ? " (dilute)"
+           : nL3 < L / group_.thickness_ ? " (semi-dilute)"
+                                         : " (concentrated)")
+       << ", density ratio " << group_.points(-1).densityRatio;
     if (flow.rate > 0)
     {
         os << ", Re "

@@ -85,7 +85,7 @@ const dictionary& readPlacement(const dictionary& group)
 {
     const dictionary& dict =
         readDict(group, "placement", "type random; number 200;");
-    checkEntries(dict, {"type", "number", "volumeFraction", "seed",
+    checkEntries(dict, {"type", "number", "volumeFraction", "nL3", "seed",
                         "minimumGap", "orientation"});
     for (const word entry : {"positions", "directions"})
     {
@@ -99,18 +99,20 @@ const dictionary& readPlacement(const dictionary& group)
     }
     const word type(dict.get<word>("type"));
     if (type != "random") refuse(dict, "type", type, "(random)");
-    if (dict.found("number") == dict.found("volumeFraction"))
+    if (label(dict.found("number")) + dict.found("volumeFraction") +
+            dict.found("nL3") !=
+        1)
     {
-        refusePlacement(
-            group, "a number of bodies or a volumeFraction, one of the two");
+        refusePlacement(group, "a number of bodies, a volumeFraction, or nL3 of "
+                               "filaments: one of them");
     }
     return dict;
 }
 
-//- Number of bodies of that volume [m^3] from the entries number or volumeFraction. At most
-//  one body to each cell, so that no units give an endless number
+//- Number of bodies of that volume [m^3] and form from the entries number, volumeFraction
+//  or nL3. At most one body to each cell, so that no units give an endless number
 label numberOf(const dictionary& dict, const scalar volume,
-               const uniformGrid& grid)
+               const solidForm& form, const uniformGrid& grid)
 {
     const scalar box = cmptProduct(grid.length());
     const scalar most = min(box / volume, box / grid.cellVolume());
@@ -125,17 +127,23 @@ label numberOf(const dictionary& dict, const scalar volume,
         }
         return number;
     }
-    const scalar fraction = readPositive(dict, "volumeFraction", dimless);
-    if (fraction >= 1)
+    if (dict.found("nL3") && !form.isRod())
     {
-        refuse(dict, "volumeFraction", Foam::name(fraction), "below 1");
+        refuse(dict, "nL3", valueOf(*dict.findEntry("nL3")),
+               "volumeFraction or number: nL3 is for filaments");
     }
-    const scalar n = fraction * box / volume;
+    const word entry(dict.found("nL3") ? "nL3" : "volumeFraction");
+    const scalar given = readPositive(dict, entry, dimless);
+    if (entry == "volumeFraction" && given >= 1)
+    {
+        refuse(dict, entry, Foam::name(given), "below 1");
+    }
+    const scalar n =
+        given * box / (entry == "nL3" ? pow3(2 * form.halfLength) : volume);
     if (n < 0.5 || n > most)
     {
-        refuse(dict, "volumeFraction",
-               Foam::name(fraction) + ", which are " + Foam::name(n) +
-                   " bodies",
+        refuse(dict, entry,
+               Foam::name(given) + ", which are " + Foam::name(n) + " bodies",
                "one body to " + Foam::name(most) + ", one to each cell");
     }
     return label(n + 0.5);
@@ -155,12 +163,15 @@ scalar readGap(const dictionary& dict, const uniformGrid& grid)
 
 //- FatalIOError: bodies of that volume fraction were placed at a fraction size of their
 //  size only, or not at all (0)
-void refuseCrowd(const dictionary& dict, const label number,
-                 const scalar fraction, const scalar gap, const scalar size)
+void refuseCrowd(const dictionary& dict, const scalar fraction,
+                 const scalar gap, const scalar size)
 {
-    const bool byNumber = dict.found("number");
-    refuse(dict, byNumber ? "number" : "volumeFraction",
-           byNumber ? Foam::name(number) : Foam::name(fraction),
+    const word entry(dict.found("number") ? "number"
+                     : dict.found("nL3")  ? "nL3"
+                                          : "volumeFraction");
+    refuse(dict, entry,
+           entry == "volumeFraction" ? Foam::name(fraction)
+                                     : valueOf(*dict.findEntry(entry)),
            size == 0
                ? string("as much as there is room for: not even bodies of a "
                         "fifth of the size were placed")
@@ -184,7 +195,7 @@ Foam::placement::placement(const dictionary& group, const word& name,
                                    Foam::name(2 * form.circumradius()) +
                                    " long");
     }
-    const label number = numberOf(dict, volume, grid);
+    const label number = numberOf(dict, volume, form, grid);
     const scalar fraction = number * volume / cmptProduct(grid.length());
     const scalar gap = readGap(dict, grid);
     const orientation orient(dict);
@@ -192,7 +203,7 @@ Foam::placement::placement(const dictionary& group, const word& name,
     const scalar size = all.fill(
         number, form, gap, orient.kind == orientation::RANDOM,
         [&]() { return orient.draw(random); }, random, name);
-    if (size < 1) refuseCrowd(dict, number, fraction, gap, size);
+    if (size < 1) refuseCrowd(dict, fraction, gap, size);
 
     centres_.setSize(number);
     directions_.setSize(number);

@@ -2,6 +2,7 @@
 
 #include "rigidReport.H"
 #include "mathematicalConstants.H"
+#include <cmath>
 
 Foam::string Foam::rigidReport::describe(const flowScales& flow) const
 {
@@ -12,6 +13,14 @@ Foam::string Foam::rigidReport::describe(const flowScales& flow) const
        << ", density ratio " << group_.densityRatio_ << ", volume fraction "
        << group_.nBodies() * group_.shape_.volume() /
               cmptProduct(group_.scene_.grid.length());
+    const scalar g = mag(group_.scene_.g);
+    if (g > 0 && group_.densityRatio_ != 1 &&
+        group_.scene_.forces.actOn(group_.name()))
+    {
+        os << ", Galileo number "
+           << std::sqrt(mag(group_.densityRatio_ - 1) * g * pow3(2 * a)) *
+                  group_.scene_.rho / group_.scene_.mu;
+    }
     if (flow.rate > 0)
     {
         os << ", Re "

@@ -101,7 +101,7 @@ void Foam::bodyInteractions::compareBoxes()
 bool Foam::bodyInteractions::actOn(const label group, const label body) const
 {
     const label b = near_.find(numbers_.number(group, body));
-    return near_.any() && b >= 0 && near_.bodies()[b].near;
+    return hasForces_ && near_.any() && b >= 0 && near_.bodies()[b].near;
 }
 
 void Foam::bodyInteractions::add(const label group, const label body,

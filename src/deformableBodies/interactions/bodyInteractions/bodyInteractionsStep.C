@@ -15,6 +15,7 @@ void Foam::bodyInteractions::update()
     {
         compareBoxes();
     }
+    hasForces_ = true;
     watch_.begin();
     samples_.begin();
     contactMoment_ = wallMoment_ = filmMoment_ = tensor::zero;
