@@ -139,12 +139,12 @@ def fluctuations(folder):
     return np.array(times)[order], np.array(values)[order][:, None]
 
 
-def apart(run, reference, name, scale):
-    """Largest difference from the reference after the first quarter of its time, over the
-    largest value of the reference or a scale; and the last values of the body."""
+def apart(run, reference, name, scale, start=0.25):
+    """Largest difference from the reference after the first quarter of its time, or another
+    start, over the largest value of the reference or a scale; and the last values of the body."""
     t, v = run.series(name)
     s, w = reference.series(name)
-    late = (t >= 0.25 * s[-1]) & (t <= s[-1] * (1 + 1e-9))
+    late = (t >= start * s[-1] * (1 - 1e-9)) & (t <= s[-1] * (1 + 1e-9))
     if not late.any():
         return np.inf, np.nan, np.nan
     there = np.stack([np.interp(t[late], s, column) for column in w.T], 1)

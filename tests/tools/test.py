@@ -15,6 +15,7 @@ import memory
 import places
 import scenes
 import stability
+import stabilityMap
 import theory
 import vtp
 
@@ -263,6 +264,37 @@ def campaignJudgesRuns():
     assert verdictOf(line, end=stop % "body 3 of c left: reduce deltaT")[11] == "stopped"
     assert verdictOf(line, end=stop % "it went wrong")[11] == "unclear"
     assert verdictOf(line, end="")[11] == "broken"
+
+
+def mapRun(folder, D, **words):
+    stabilityRun(folder, D, **words)
+    file(folder + "/postProcessing/bodies/0/c.dat", "# time body D\n" + "".join(
+        "%g 0 %.9g\n" % (i, d) for i, d in enumerate(D)))
+
+
+def cellsOfTheMapAreJudgedInTheSecondHalf():
+    line = np.linspace(0, 0.1, 11)
+    with tempfile.TemporaryDirectory() as folder:
+        here = folder + "/stiffness/0.1/"
+        said = "--> FOAM Warning :\n    %s\n\n"
+        for name, D, words in (
+                ("reference", line, dict(warning=said % "known: 3")),
+                ("default.0.1", line * np.r_[2, 2, 2, 2, 2, 1, 1, 1, 1, 1, 1], dict(warning=said % "known: 4")),
+                ("default.0.2", line * 1.05, {}), ("default.0.4", line * 1.2, {}),
+                ("default.0.8", line * 1.001, dict(warning=said % "change of volume")),
+                ("explicit.0.1", line * 1.001, dict(warning=said % "exceeds the estimated limit of x")),
+                ("explicit.0.2", line * np.nan, {}), ("explicit.3", line[:4], dict(end=""))):
+            mapRun(here + name, D, **words)
+        said = stabilityMap.table(folder, folder + "/map.csv").split("\n")
+        rows = stabilityMap.read(folder + "/map.csv")
+        holes = [stabilityMap.holes(folder + "/map.csv", dt) for dt in (0.1, 0.2, 0.4, 3)]
+        assert stabilityMap.count(folder + "/map.csv") == len(rows)
+    assert [r["verdict"] for r in rows] == ["accurate", "fair", "off", "off", "accurate", "off", "stopped"], rows
+    assert [r["allowed"] for r in rows] == list("1111110"), rows
+    near([float(rows[0][e]) for e in stabilityMap.ERRORS], [0, 0.4, 0])
+    near([float(rows[1][e]) for e in stabilityMap.ERRORS], 0.05)
+    assert len(said) == 2 and "deltaT 0.4" in said[0] and "explicit, deltaT 0.2" in said[1], said
+    assert holes == [0, 1, 2, 2], holes
 
 
 def fluctuationsLeaveOutTheMeanOfPlanes():
