@@ -96,30 +96,34 @@ Foam::bodyState::dictionaryOf(const label g, const dictionary& dict) const
                : dictionaryOf(group.host(), dict).subDict("nucleus");
 }
 
-Foam::boolList Foam::bodyState::initialGroups(const IOdictionary& dict) const
+Foam::List<Foam::bodyState::origin>
+Foam::bodyState::origins(const IOdictionary& dict) const
 {
-    const Enum<bool> words({{false, "continue"}, {true, "initial"}});
-    const bool all = readEnum(words, dict, "restart", false);
-    boolList initial(system_.groups.size());
-    forAll(initial, g)
+    const Enum<origin> words({{origin::STATE, "continue"},
+                              {origin::DICTIONARY, "initial"},
+                              {origin::EITHER, "initialOnce"}});
+    const origin all = readEnum(words, dict, "restart", origin::STATE);
+    List<origin> wanted(system_.groups.size());
+    forAll(wanted, g)
     {
         const label host = system_.groups[g].host();
-        initial[g] =
+        wanted[g] =
             host < 0 ? readEnum(words, dictionaryOf(g, dict), "restart", all)
-                     : initial[host];
+                     : wanted[host];
     }
-    return initial;
+    return wanted;
 }
 
 void Foam::bodyState::read(const IOdictionary& dict)
 {
     const Time& time = system_.mesh.time();
-    const boolList initial(initialGroups(dict));
-    const bool any = initial.found(false);
+    const List<origin> wanted(origins(dict));
     dictionary saved;
     fileName file;
-    const bool found = any && bodyStateFile::read(system_.mesh, saved, file);
-    if (any && !found && time.value() > 0)
+    const bool found =
+        (wanted.found(origin::STATE) || wanted.found(origin::EITHER)) &&
+        bodyStateFile::read(system_.mesh, saved, file);
+    if (wanted.found(origin::STATE) && !found && time.value() > 0)
     {
         waitForMaster();
         FatalIOErrorInFunction(dict)
@@ -128,6 +132,14 @@ void Foam::bodyState::read(const IOdictionary& dict)
             << "    allowed: a time with a state, or restart initial; to start "
             << "the bodies as they stand in this file" << exit(FatalIOError);
     }
+    boolList initial(wanted.size());
+    forAll(initial, g)
+    {
+        initial[g] = wanted[g] == origin::DICTIONARY ||
+                     (wanted[g] == origin::EITHER &&
+                      !saved.found(system_.groups[g].name()));
+    }
+    const bool any = initial.found(false);
     if (found)
     {
         Info << "Bodies continue from " << file << nl;
@@ -160,7 +172,10 @@ void Foam::bodyState::read(const IOdictionary& dict)
                  << "deformableBodies at time " << time.timeName()
                  << (saved.found(group.name()) ? ", although the state has it"
                                                : "")
-                 << " (restart initial)" << nl;
+                 << (wanted[g] == origin::EITHER ? " (restart initialOnce: later "
+                                                   "runs continue)"
+                                                 : " (restart initial)")
+                 << nl;
         }
     }
 }
