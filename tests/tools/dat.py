@@ -77,6 +77,17 @@ def lastDifference(folder, run, other, column):
     return "%.5g" % worst, a.mean(), b.mean()
 
 
+def endsApart(a, b, column):
+    """Largest difference of a column of two files over the bodies at the last time, relative
+    to the largest value that the second has then. Not a number where the last times differ."""
+    a, b = Table(a), Table(b)
+    last = [t.rows[t["time"] == t["time"][-1]] for t in (a, b)]
+    if abs(a["time"][-1] - b["time"][-1]) > 1e-6 or len(last[0]) != len(last[1]):
+        return np.nan
+    x, y = (rows[np.argsort(rows[:, 1]), a.names.index(column)] for rows in last)
+    return "%.3g" % (abs(x - y).max() / abs(y).max())
+
+
 def dragAndSlip(file):
     """Drag of bundles: total force along x (mean of the last tenth of three units of time),
     largest slip of the second half and of the first."""
