@@ -14,7 +14,8 @@ Foam::scalar ofHarmonics(const Foam::label degree)
     return degree < 5 ? 0.015 : 0.003 * Foam::sqr(6.0 / degree);
 }
 
-// Error of Adams-Bashforth 2. step: time step times the rate of the flow
+// Error of Adams-Bashforth 2. step: time step times the rate of the flow. A thicker fluid
+// inside lags by more (doc/stability.md)
 Foam::scalar ofStep(const Foam::scalar step)
 {
     return 6 * Foam::sqr(step);
@@ -192,10 +193,13 @@ Foam::expectedError Foam::capsuleReport::stepError(const scalar rate) const
     const bool stiffArea = group_.motion_->hasPrevious() &&
                            law.areaModulus() > 4 * law.shearModulus();
     const bool known = rate > 0 && dt > 0 && dt < GREAT && !stiffArea;
-    const auto largest = [rate](const scalar error)
-    { return std::sqrt(error / ofStep(1)) / rate; };
+    const scalar ofRatio = max(scalar(1), 0.25 * group_.viscosityRatio_);
+    const auto error = [rate, ofRatio](const scalar dt)
+    { return ofRatio * ofStep(rate * dt); };
+    const auto largest = [rate, ofRatio](const scalar error)
+    { return std::sqrt(error / (ofRatio * ofStep(1))) / rate; };
     return {"step",
-            known ? ofStep(rate * dt) : -1,
+            known ? error(dt) : -1,
             stiffArea
                 ? string("stabilised, not measured where the area is so stiff")
             : known
@@ -205,7 +209,7 @@ Foam::expectedError Foam::capsuleReport::stepError(const scalar rate) const
             nullptr,
             rate > 0 && !stiffArea ? std::function<scalar(scalar)>(largest)
                                    : nullptr,
-            [rate](const scalar dt) { return ofStep(rate * dt); }};
+            error};
 }
 
 Foam::expectedErrors Foam::capsuleReport::errors(const flowScales& flow) const
