@@ -166,7 +166,7 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
     statistics_.begin();
 
     const auto timing(system_.effects.time("boxChecks"));
-    system_.ownership->migrate(system_.groups);
+    system_.begin();
     if (output_->sampleDue()) motion_.recordSlip(u);
     motion_.moveWithVelocity(u, force);
 }

@@ -27,6 +27,7 @@ void Foam::bodyReader::read()
     system_.accuracy = bodyAccuracy(dict_);
     const bodyScene around(scene());
     readGroups(around);
+    readNeighbourField(around);
     readSampleInterval();
     declareCoupling();
     readViscosityRatios();

@@ -13,7 +13,7 @@ namespace
 const Foam::wordList besideBodies({"sampleInterval", "accuracy", "kernel",
                                    "coupling", "interactions", "loads", "wrap",
                                    "restart", "removed", "outside", "nu",
-                                   "bulkStress"});
+                                   "bulkStress", "neighbourField"});
 
 //- Characters of a group's name, which becomes a file name
 const char* const nameCharacters =
@@ -124,4 +124,30 @@ void Foam::bodyReader::addNuclei(const dictionary& bodies, const word& name,
     given_.append(entriesOf(nuclei, {"type", "positions"}));
     system_.effects.declare("nucleus", true, "in group " + name);
     nucleated_ = name;
+}
+
+void Foam::bodyReader::readNeighbourField(const bodyScene& scene)
+{
+    DynamicList<label> with;
+    forAll(system_.groups, g)
+    {
+        if (system_.groups[g].nearSources()) with.append(g);
+    }
+    const bool wanted = dict_.getOrDefault<Switch>("neighbourField", false);
+    if (wanted && with.empty())
+    {
+        refuse(dict_, "neighbourField", "on",
+               "off, as no group has a near field (see its row in the table of "
+               "effects)");
+    }
+    system_.effects.declare("neighbourField", wanted,
+                            wanted ? "near field between bodies"
+                                   : "no entry neighbourField on");
+    if (!wanted) return;
+    system_.neighbourFields.reset(new neighbourField(system_.groups, scene));
+    for (const label g : with)
+    {
+        system_.groups[g].addCorrection(std::unique_ptr<fromNeighbours>(
+            new fromNeighbours(*system_.neighbourFields, g)));
+    }
 }

@@ -30,6 +30,14 @@ Foam::labelList Foam::bodySystem::groupsThat(const forcingType forcing) const
     return labelList(std::move(which));
 }
 
+void Foam::bodySystem::begin()
+{
+    ownership->migrate(groups);
+    if (!neighbourFields) return;
+    const auto timing(effects.time("neighbourField"));
+    neighbourFields->update();
+}
+
 Foam::label Foam::bodySystem::nMarkers(const labelUList& which) const
 {
     label n = 0;

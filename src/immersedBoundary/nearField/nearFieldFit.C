@@ -74,16 +74,17 @@ void bessel(const double x, double& j0, double& j2)
 } // namespace
 
 Foam::nearField::nearField(const deltaKernel::kernelType kernel, const scalar h,
-                           const scalar mu, const scalar d)
+                           const scalar mu, const scalar d,
+                           const surface where)
     : h_(h),
       mu_(mu),
       d_(d)
 {
-    transform(deltaKernel(kernel));
+    transform(deltaKernel(kernel), where == OWN);
     fit();
 }
 
-void Foam::nearField::transform(const deltaKernel& kernel)
+void Foam::nearField::transform(const deltaKernel& kernel, const bool own)
 {
     // Cut-off of K [1/h]: the rest of the integral is 1e-6 of A
     const double largest = 25;
@@ -119,7 +120,8 @@ void Foam::nearField::transform(const deltaKernel& kernel)
         // Transform of G_d; weight of the quadrature over K
         const double x = 0.25 * sqr(K * d_ / h_);
         const double filter =
-            (1 + x + x * x * (6 - 4 * x + 8 * x * x) / 15) * std::exp(-x);
+            (1 + x + (own ? x * x * (6 - 4 * x + 8 * x * x) / 15 : 0)) *
+            std::exp(-x);
         const double weight = 4 / pi * largest / nK;
         K_.push_back(K);
         trace_.push_back(weight * (2 * filter - smoothed[0]));
@@ -142,6 +144,13 @@ Foam::nearField::mobility Foam::nearField::exact(const scalar q) const
             trace_[i] / 3 * (j0 + sqr(q) * j2) - sqr(q) * (along_[i] * j2 + C);
     }
     return m;
+}
+
+// Mean over directions at a wave number near 0
+Foam::scalar Foam::nearField::withheldFlow() const
+{
+    const size_t i = 4;
+    return withheld_[i] / sqr(K_[i]) / 3 * sqr(h_) / mu_;
 }
 
 // Least squares over distances up to last, beyond which the difference decays as q^-3, and
