@@ -149,7 +149,7 @@ Foam::nearField::mobility Foam::nearField::exact(const scalar q) const
 // Mean over directions at a wave number near 0
 Foam::scalar Foam::nearField::withheldFlow() const
 {
-    const size_t i = 4;
+    const size_t i = 2;
     return withheld_[i] / sqr(K_[i]) / 3 * sqr(h_) / mu_;
 }
 

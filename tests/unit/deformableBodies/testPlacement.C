@@ -104,7 +104,10 @@ TEST_F(Placement, whatMakesNoSenseIsRefused)
     EXPECT_TRUE(says(refused("placement { type random; number 0; }"),
                      "entry number has the value 0 allowed: 1 to "));
     EXPECT_TRUE(says(refused("placement { type random; }"),
-                     "a number of bodies or a volumeFraction, one of the two"));
+                     "a number of bodies, a volumeFraction, or nL3 of "
+                     "filaments: one of them"));
+    EXPECT_TRUE(says(refused("placement { type random; nL3 2; number 2; }"),
+                     "one of them"));
     EXPECT_TRUE(says(refused("placement { type random; volumeFraction 1; }"),
                      "volumeFraction has the value 1 allowed: below 1"));
     EXPECT_TRUE(says(refused("placement { type lattice; number 2; }"),
