@@ -71,8 +71,13 @@ Foam::scalarList Foam::capsuleReport::sample(const label i) const
     const tensor full(5 / m.volume * m.moments);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(
         Eigen::Map<const Eigen::Matrix3d>(full.cdata()));
-    const Eigen::Vector3d squares(principal.eigenvalues()),
-        longest(principal.eigenvectors().col(2));
+    const Eigen::Vector3d squares(principal.eigenvalues());
+
+    // Longest axis, along the first direction of the shear plane rather than against it; none
+    // of shapes that have no longest one
+    Eigen::Vector3d longest(principal.eigenvectors().col(2));
+    if (squares[2] - squares[1] < 1e-9 * squares[2]) longest.setZero();
+    if (longest[group_.shearPlane_[0]] < 0) longest *= -1;
     const auto axis = [&](const int k)
     { return std::sqrt(std::max(squares[k], 0.0)); };
     const scalar breadth = axis(0), width = axis(1), length = axis(2);
