@@ -23,11 +23,10 @@ Foam::neighbourField::neighbourField(const PtrList<bodyGroup>& groups,
     {
         const nearSurface* surface = group.nearSources();
         sums_.emplace_back(
-            surface
-                ? new nearField(scene.kernel.type(), h, scene.mu,
-                                max(0.5 * h, 0.48 * surface->nearSpacing()),
-                                nearField::OTHER)
-                : nullptr);
+            surface ? new nearField(scene.kernel.type(), h, scene.mu,
+                                    max(0.5 * h, 0.48 * surface->nearSpacing()),
+                                    nearField::OTHER)
+                    : nullptr);
     }
 }
 
@@ -41,8 +40,8 @@ std::vector<Foam::neighbourField::bodyHere> Foam::neighbourField::own() const
         forAll(group.mine(), i)
         {
             const nearSurface::sources& s = group.nearSources()->nearSources(i);
-            bodyHere b{numbers_.number(g, group.mine()[i]), g, Zero, 0, s.X,
-                       s.F};
+            bodyHere b{
+                numbers_.number(g, group.mine()[i]), g, Zero, 0, s.X, s.F};
             for (const vector& x : b.X)
             {
                 b.centre += x / scalar(b.X.size());
@@ -100,7 +99,10 @@ void Foam::neighbourField::collect(const std::vector<bodyHere>& mine)
     forAll(copies_.here(), k)
     {
         const scalar* from = &all[k * each];
-        bodyHere b{label(from[0]), label(from[1]), copies_.here()[k], from[2],
+        bodyHere b{label(from[0]),
+                   label(from[1]),
+                   copies_.here()[k],
+                   from[2],
                    std::vector<vector>(label(from[3])),
                    std::vector<vector>(label(from[3]))};
         from += facts;
@@ -131,8 +133,7 @@ void Foam::neighbourField::findNear(const bodyHere& body,
     for (size_t k = 0; k < here_.size(); ++k)
     {
         const bodyHere& other = here_[k];
-        const vector nearest(
-            nearestImage(grid_, other.centre, body.centre));
+        const vector nearest(nearestImage(grid_, other.centre, body.centre));
         for (label image = 0; image < 27; ++image)
         {
             const labelVector at(image % 3 - 1, image / 3 % 3 - 1,
@@ -144,8 +145,8 @@ void Foam::neighbourField::findNear(const bodyHere& body,
                 exists = exists && (at[d] == 0 || grid_.periodic(d));
                 r[d] += at[d] * L[d];
             }
-            const bool itself = other.number == body.number &&
-                                mag(r) < 0.5 * cmptMin(L);
+            const bool itself =
+                other.number == body.number && mag(r) < 0.5 * cmptMin(L);
             if (!exists || itself) continue;
             const scalar gap = (mag(r) - body.radius - other.radius) / h;
             if (gap >= farGap) continue;
@@ -153,9 +154,8 @@ void Foam::neighbourField::findNear(const bodyHere& body,
             {
                 continue;
             }
-            const scalar t =
-                min(max((farGap - gap) / (farGap - nearGap), scalar(0)),
-                    scalar(1));
+            const scalar t = min(
+                max((farGap - gap) / (farGap - nearGap), scalar(0)), scalar(1));
             found.push_back({other.number, label(k),
                              body.centre + r - other.centre,
                              t * t * (3 - 2 * t)});

@@ -103,8 +103,9 @@ const dictionary& readPlacement(const dictionary& group)
             dict.found("nL3") !=
         1)
     {
-        refusePlacement(group, "a number of bodies, a volumeFraction, or nL3 of "
-                               "filaments: one of them");
+        refusePlacement(group,
+                        "a number of bodies, a volumeFraction, or nL3 of "
+                        "filaments: one of them");
     }
     return dict;
 }

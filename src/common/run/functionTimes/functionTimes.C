@@ -43,8 +43,7 @@ bool isDue(const dictionary& function, const Time& time, const word& what)
     }
     if (control == "onEnd")
     {
-        return time.value() >
-               time.endTime().value() - 0.5 * time.deltaTValue();
+        return time.value() > time.endTime().value() - 0.5 * time.deltaTValue();
     }
     return control != "none";
 }
@@ -65,7 +64,8 @@ bool Foam::isExecuted(const dictionary& function, const Time& time)
     const scalar t = time.value(), half = 0.5 * time.deltaTValue();
     return t > function.getOrDefault<scalar>("timeStart", -GREAT) - half &&
            t < function.getOrDefault<scalar>("timeEnd", GREAT) + half &&
-           ::isDue(function, time, "execute");
+           (::isDue(function, time, "execute") ||
+            ::isDue(function, time, "write"));
 }
 
 bool Foam::needsNoFields(const dictionary& function)

@@ -88,8 +88,8 @@ Foam::blockMeans::mean Foam::blockMeans::of(const label value,
         for (label k = 0; k < batches; ++k)
         {
             scalar w = 0, s = 0;
-            for (label b = nBlocks() - (k + 1) * size;
-                 b < nBlocks() - k * size; ++b)
+            for (label b = nBlocks() - (k + 1) * size; b < nBlocks() - k * size;
+                 ++b)
             {
                 w += blocks_[b].weight;
                 s += blocks_[b].sums[value];

@@ -11,6 +11,8 @@ Foam::histogram::histogram(const label most)
 
 void Foam::histogram::add(const scalar value, const scalar weight)
 {
+    if (!std::isfinite(value)) return;
+
     // The first width is far below the values, so that joining finds the right one
     if (width_ == 0)
     {

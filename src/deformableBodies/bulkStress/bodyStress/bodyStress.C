@@ -36,15 +36,16 @@ Foam::wordList Foam::bodyStress::names() const
                  [&](const label g)
                  {
                      const bodyGroup& group = system_.groups[g];
-                     all.append(group.name());
+                     const bool taken = wordList({"contacts", "wallContacts",
+                                                  "films", "netForces"})
+                                            .found(group.name());
+                     const word name(group.name() + (taken ? "Group" : ""));
+                     all.append(name);
                      if (group.report().nCoupleMarkers())
                      {
-                         all.append(group.name() + "Couple");
+                         all.append(name + "Couple");
                      }
-                     if (contrast(g) != 0)
-                     {
-                         all.append(group.name() + "Viscosity");
-                     }
+                     if (contrast(g) != 0) all.append(name + "Viscosity");
                  });
     if (system_.interactions)
     {
@@ -113,23 +114,22 @@ Foam::tensorField Foam::bodyStress::parts() const
     const scalar perVolume = 1 / (L.x() * L.y() * L.z());
     DynamicList<tensor> all;
     tensor net(Zero);
-    actingGroups(
-        system_,
-        [&](const label g)
-        {
-            tensor own(Zero), couple(Zero);
-            addForces(g, own, couple, net);
-            all.append(-perVolume * own);
-            if (system_.groups[g].report().nCoupleMarkers())
-            {
-                all.append(-perVolume * couple);
-            }
-            if (contrast(g) != 0)
-            {
-                all.append(perVolume * contrast(g) * system_.rho *
-                           system_.nu->value() * viscousMoment(g));
-            }
-        });
+    actingGroups(system_,
+                 [&](const label g)
+                 {
+                     tensor own(Zero), couple(Zero);
+                     addForces(g, own, couple, net);
+                     all.append(-perVolume * own);
+                     if (system_.groups[g].report().nCoupleMarkers())
+                     {
+                         all.append(-perVolume * couple);
+                     }
+                     if (contrast(g) != 0)
+                     {
+                         all.append(perVolume * contrast(g) * system_.rho *
+                                    system_.nu->value() * viscousMoment(g));
+                     }
+                 });
     if (system_.interactions)
     {
         all.append(-perVolume * system_.interactions->contactMoment());

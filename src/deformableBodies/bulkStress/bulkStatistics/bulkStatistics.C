@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "bulkStatistics.H"
+#include "dictionaryChecks.H"
 #include "volFields.H"
 
 Foam::bulkStatistics::bulkStatistics(const bodySystem& system)
@@ -8,9 +9,8 @@ Foam::bulkStatistics::bulkStatistics(const bodySystem& system)
       layers_(
           [&system](const direction f, const direction g)
           {
-              return layerMeans(
-                  system.grid, f, g,
-                  system.mesh.lookupObject<volVectorField>("U"));
+              return layerMeans(system.grid, f, g,
+                                system.mesh.lookupObject<volVectorField>("U"));
           })
 {
 }
@@ -38,6 +38,11 @@ Foam::scalarField Foam::bulkStatistics::forces(const direction f,
 void Foam::bulkStatistics::watchStress(const bool implicit,
                                        const dictionary* function)
 {
+    if (stress_)
+    {
+        refuse(*function, "bulkStress", "a second functionObject of that type",
+               "one");
+    }
     stress_ = bulkStress::New(function ? *function : entry_, system_, layers_,
                               implicit);
 }

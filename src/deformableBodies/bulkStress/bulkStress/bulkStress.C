@@ -13,6 +13,13 @@ Foam::string Foam::bulkStress::obstacle(const bodySystem& system,
     if (system.nu->isMean()) return "the viscosity of the fluid is not uniform";
     if (sides.rate == 0) return "no sides of the box move against each other";
     if (sides.oblique > 1e-6) return "sides move in no direction of the mesh";
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (d != sides.gradient && !system.grid.periodic(d))
+        {
+            return "the box is not periodic along the sides that move";
+        }
+    }
     return string::null;
 }
 
@@ -55,7 +62,12 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
       lastTime_(system.mesh.time().startTime().value()),
       means_(columns().size()),
       state_("bulkStress", "uniform", system.mesh,
-             [this](Ostream& os) { writeState(os); })
+             [this](Ostream& os)
+             {
+                 // In other solvers functions execute after the fields are written
+                 if (!system_.solverBalances) addLine();
+                 writeState(os);
+             })
 {
     checkEntries(dict);
     const auto saved = stateOfTime(system.mesh, "bulkStress");
@@ -65,6 +77,8 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
         lastTime_ = saved->get<scalar>("lastTime");
     }
     const shearSides sides(shearSides::of(system.mesh));
+    flowDirection_ = sides.flow;
+    gradient_ = sides.gradient;
     const scalar H = system.grid.length()[sides.gradient];
     Info << "Bulk stress: the stress of the sides takes "
          << sqr(H / constant::mathematical::pi) / system.nu->value()
@@ -74,7 +88,8 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
 void Foam::bulkStress::checkEntries(const dictionary& dict) const
 {
     Foam::checkEntries(dict, {"interval", "startAverage", "type", "libs",
-                              "enabled", "region", "log"});
+                              "enabled", "region", "log", "errors",
+                              "writeControl", "writeInterval"});
     if (interval_ < 1)
     {
         refuse(dict, "interval", Foam::name(interval_), "1 and more");
@@ -110,25 +125,34 @@ Foam::bulkStress::measure(const shearSides& sides) const
     return s;
 }
 
+bool Foam::bulkStress::isShear(const shearSides& sides)
+{
+    largestRate_ = max(largestRate_, mag(sides.rate));
+    return sides.flow == flowDirection_ && sides.gradient == gradient_ &&
+           mag(sides.rate) > 0.01 * largestRate_;
+}
+
 void Foam::bulkStress::begin()
 {
     const label step = stepIndex(system_.mesh.time());
     if (!due(step) || begun_ == step) return;
     const auto timing(system_.effects.time("bulkStress"));
+    const shearSides sides(shearSides::of(system_.mesh));
+    if (!isShear(sides)) return;
     begun_ = step;
-    before_ = lastLine_ == step - 1 ? after_
-                                    : measure(shearSides::of(system_.mesh));
+    before_ = lastLine_ == step - 1 ? after_ : measure(sides);
 }
 
-void Foam::bulkStress::end()
+void Foam::bulkStress::addLine()
 {
     const Time& time = system_.mesh.time();
     const label step = stepIndex(time);
     if (begun_ == step && lastLine_ != step)
     {
         const auto timing(system_.effects.time("bulkStress"));
-        lastLine_ = step;
         const shearSides sides(shearSides::of(system_.mesh));
+        if (!isShear(sides)) return;
+        lastLine_ = step;
         after_ = measure(sides);
         const tensorField parts(bodies_.parts());
         const scalarList values(line(sides, parts));
@@ -141,6 +165,12 @@ void Foam::bulkStress::end()
                UList<scalar>(const_cast<scalar*>(relative.cdata()->cdata()),
                              9 * relative.size()));
     }
+}
+
+void Foam::bulkStress::end()
+{
+    addLine();
+    const Time& time = system_.mesh.time();
     const bool ends =
         time.value() > time.endTime().value() - 0.5 * time.deltaTValue();
     if (time.writeTime() || ends) writeAverages();
@@ -174,9 +204,8 @@ Foam::scalarList Foam::bulkStress::line(const shearSides& sides,
     const scalar unsteady = (after_.moment - before_.moment) / dt / unit;
 
     DynamicList<scalar> values;
-    for (const scalar x :
-         {1 + bodies + reynolds, normal[0] - normal[1], normal[1] - normal[2],
-          bodies, reynolds, wall})
+    for (const scalar x : {1 + bodies + reynolds, normal[0] - normal[1],
+                           normal[1] - normal[2], bodies, reynolds, wall})
     {
         values.append(x);
     }
@@ -184,9 +213,8 @@ Foam::scalarList Foam::bulkStress::line(const shearSides& sides,
     {
         values.append(part(f, g) / unit);
     }
-    for (const scalar x :
-         {unsteady, wall - 1 - bodies - reynolds - unsteady, lower, upper,
-          contactPressure / mag(unit)})
+    for (const scalar x : {unsteady, wall - 1 - bodies - reynolds - unsteady,
+                           lower, upper, contactPressure / mag(unit)})
     {
         values.append(x);
     }

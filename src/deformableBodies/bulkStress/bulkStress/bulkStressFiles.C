@@ -22,8 +22,8 @@ Foam::wordList Foam::bulkStress::columns() const
         all.append(name);
     }
     all.append(parts_);
-    for (const word name : {"unsteady", "residual", "wallLower", "wallUpper",
-                            "contactPressure"})
+    for (const word name :
+         {"unsteady", "residual", "wallLower", "wallUpper", "contactPressure"})
     {
         all.append(name);
     }

@@ -81,6 +81,16 @@ Foam::layerMeans::layerMeans(const uniformGrid& grid, const direction f,
         product[layer] += v[f] * v[g];
     }
     finish(cellsPerLayer(grid, g));
+
+    // From the cells to their lower faces
+    const scalarField cells(product);
+    const label n = cells.size();
+    forAll(product, j)
+    {
+        product[j] = j == 0 && !grid.periodic(g)
+                         ? 0
+                         : 0.5 * (cells[j] + cells[(j + n - 1) % n]);
+    }
 }
 
 void Foam::layerMeans::finish(const scalar n)

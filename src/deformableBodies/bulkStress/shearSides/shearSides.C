@@ -8,12 +8,14 @@ namespace
 {
 using namespace Foam;
 
-//- Mean velocity of the sides across a direction, the lower and the upper one (collective)
-FixedList<vector, 2> velocities(const volVectorField& U, const uniformGrid& grid,
-                                const direction d)
+//- Mean velocity of the sides across a direction, the lower and the upper one; 0 of both
+//  where a side does not fix it (collective)
+FixedList<vector, 2> velocities(const volVectorField& U,
+                                const uniformGrid& grid, const direction d)
 {
     FixedList<vector, 2> sum(vector::zero);
     scalar area[2] = {0, 0};
+    bool fixed = true;
     for (const fvPatchVectorField& side : U.boundaryField())
     {
         if (side.patch().coupled()) continue;
@@ -23,6 +25,7 @@ FixedList<vector, 2> velocities(const volVectorField& U, const uniformGrid& grid
             const label facei = side.patch().start() + i;
             if (grid.faceDirection(facei) != d) continue;
             const bool upper = !grid.lowerSide(facei);
+            fixed = fixed && side.fixesValue();
             sum[upper] += magSf[i] * side[i];
             area[upper] += magSf[i];
         }
@@ -33,6 +36,7 @@ FixedList<vector, 2> velocities(const volVectorField& U, const uniformGrid& grid
         reduce(area[upper], sumOp<scalar>());
         sum[upper] /= area[upper] + VSMALL;
     }
+    if (!returnReduce(fixed, andOp<bool>())) sum = vector::zero;
     return sum;
 }
 } // namespace

@@ -23,7 +23,7 @@ Foam::functionObjects::bodyStatistics::bodyStatistics(const word& name,
                                                       const dictionary& dict)
     : fvMeshFunctionObject(name, time, dict),
       bodies_(bodyCollection::New(mesh_)),
-      last_(time.value())
+      last_(max(time.value(), dict.getOrDefault<scalar>("timeStart", -GREAT)))
 {
     const groupStatistics::settings settings(readSettings(dict));
     wordList all;
@@ -44,6 +44,12 @@ Foam::functionObjects::bodyStatistics::bodyStatistics(const word& name,
         refuse(dict, "type", typeName,
                "cases with constant/deformableBodies: there are no bodies");
     }
+    if (mesh_.foundObject<regIOobject>(name))
+    {
+        refuse(dict.parent(), name, typeName,
+               "another name, as the mesh has an object of this one");
+    }
+    settings_ = textOf(settings);
     readState();
     state_.reset(new stateObject<IOdictionary>(
         name, "uniform", mesh_,
@@ -53,13 +59,15 @@ Foam::functionObjects::bodyStatistics::bodyStatistics(const word& name,
             if (isExecuted(dict, time_)) execute();
             OStringStream text;
             text.precision(17);
-            text << "last " << last_ << ';' << nl;
+            text << "last " << last_ << ';' << nl << "settings " << settings_
+                 << ';' << nl << "groups" << nl << '{' << nl;
             for (const groupStatistics& g : groups_)
             {
                 text << g.group().name() << nl << '{' << nl;
                 g.writeState(text);
                 text << '}' << nl;
             }
+            text << '}' << nl;
             os << text.str().c_str();
         }));
 }
@@ -114,20 +122,35 @@ void Foam::functionObjects::bodyStatistics::readState()
 {
     const auto saved = stateOfTime(mesh_, name());
     if (!saved) return;
+    if (saved->getOrDefault<string>("settings", "") != settings_)
+    {
+        Info << "functionObject " << name()
+             << " starts afresh: its entries are "
+             << "not those of the state" << nl;
+        return;
+    }
     last_ = saved->get<scalar>("last");
+    const dictionary& groups = saved->subDict("groups");
     for (groupStatistics& g : groups_)
     {
-        if (saved->found(g.group().name()))
-        {
-            g.readState(saved->subDict(g.group().name()));
-        }
+        const dictionary* of = groups.findDict(g.group().name());
+        if (of) g.readState(*of);
     }
+}
+
+Foam::string Foam::functionObjects::bodyStatistics::textOf(
+    const groupStatistics::settings& s)
+{
+    OStringStream os;
+    os << s.bins << ' ' << s.reach << ' ' << s.around << ' ' << s.alone << ' '
+       << label(s.f) << ' ' << label(s.g);
+    return os.str();
 }
 
 bool Foam::functionObjects::bodyStatistics::execute()
 {
     const scalar now = time_.value(), dt = now - last_;
-    if (dt <= 0) return true;
+    if (postProcess || dt < 0.5 * time_.deltaTValue()) return true;
     last_ = now;
     for (groupStatistics& g : groups_)
     {
@@ -141,6 +164,7 @@ bool Foam::functionObjects::bodyStatistics::execute()
 
 bool Foam::functionObjects::bodyStatistics::write()
 {
+    if (postProcess) return true;
     if (!Pstream::master()) return true;
     const fileName dir(time_.globalPath() / "postProcessing" / name() /
                        time_.timeName());

@@ -37,6 +37,15 @@ Foam::functionObjects::bulkStressFunction::bulkStressFunction(
 
 bool Foam::functionObjects::bulkStressFunction::execute()
 {
+    if (postProcess) return true;
+    if (!bodies_.movedTo(time_.value()))
+    {
+        FatalErrorInFunction
+            << "functionObject " << name() << " of type bulkStress: no bodies "
+            << "move in this solver" << nl << "    allowed: cases with an "
+            << "option of type deformableBodies in constant/fvOptions"
+            << exit(FatalError);
+    }
     bodies_.statistics().end();
     return true;
 }

@@ -36,7 +36,7 @@ Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
     : fvMeshFunctionObject(name, time, dict),
       bodies_(bodyCollection::New(mesh_)),
       grid_(uniformGrid::New(mesh_)),
-      last_(time.value())
+      last_(max(time.value(), dict.getOrDefault<scalar>("timeStart", -GREAT)))
 {
     grid_.require(dict, typeName);
     if (bodies_.empty())
@@ -45,7 +45,16 @@ Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
                "cases with constant/deformableBodies: there are no bodies");
     }
     g_ = readDirection(dict, "across", acrossSides(grid_));
-    f_ = readDirection(dict, "flow", g_ == 0 ? 1 : 0);
+    const shearSides sides(shearSides::of(mesh_));
+    f_ = readDirection(dict, "flow",
+                       sides.rate != 0 && sides.gradient == g_ ? sides.flow
+                       : g_ == 0                               ? 1
+                                                               : 0);
+    if (mesh_.foundObject<regIOobject>(name))
+    {
+        refuse(dict.parent(), name, typeName,
+               "another name, as the mesh has an object of this one");
+    }
     if (f_ == g_)
     {
         refuse(dict, "flow", dict.getOrDefault<word>("flow", "x"),
@@ -76,8 +85,9 @@ Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
             if (isExecuted(dict, time_)) execute();
             OStringStream text;
             text.precision(17);
-            text << "last " << last_ << ';' << nl << "weight " << weight_ << ';'
-                 << nl << "sums (";
+            text << "last " << last_ << ';' << nl << "directions (" << label(f_)
+                 << ' ' << label(g_) << ");" << nl << "weight " << weight_
+                 << ';' << nl << "sums (";
             sums(
                 [&](const UList<scalar>& numbers)
                 {
@@ -101,8 +111,7 @@ Foam::direction Foam::functionObjects::phaseProfiles::readDirection(
 template<class Visit>
 void Foam::functionObjects::phaseProfiles::sums(Visit visit)
 {
-    const auto vectors = [&](vectorField& v)
-    {
+    const auto vectors = [&](vectorField& v) {
         visit(UList<scalar>(reinterpret_cast<scalar*>(v.data()), 3 * v.size()));
     };
     vectors(u_);
@@ -122,6 +131,13 @@ void Foam::functionObjects::phaseProfiles::readState()
 {
     const auto saved = stateOfTime(mesh_, name());
     if (!saved) return;
+    const labelList directions({label(f_), label(g_)});
+    if (saved->getOrDefault<labelList>("directions", labelList()) != directions)
+    {
+        Info << "functionObject " << name() << " starts afresh: its directions "
+             << "are not those of the state" << nl;
+        return;
+    }
     const scalarList numbers(saved->get<scalarList>("sums"));
     label n = 0, k = 0;
     sums([&](const UList<scalar>& to) { n += to.size(); });
@@ -141,7 +157,7 @@ void Foam::functionObjects::phaseProfiles::readState()
 bool Foam::functionObjects::phaseProfiles::execute()
 {
     const scalar now = time_.value(), dt = now - last_;
-    if (dt <= 0) return true;
+    if (postProcess || dt < 0.5 * time_.deltaTValue()) return true;
     last_ = now;
     weight_ += dt;
     const label n = grid_.n()[g_];
@@ -160,10 +176,12 @@ bool Foam::functionObjects::phaseProfiles::execute()
     scalar bodies = 0;
     for (label j = 0; j <= n; ++j)
     {
-        const scalar below =
-            j > 0 ? means.u[j - 1][f_] : walls ? lower[f_] : means.u[n - 1][f_];
-        const scalar above =
-            j < n ? means.u[j][f_] : walls ? upper[f_] : means.u[0][f_];
+        const scalar below = j > 0   ? means.u[j - 1][f_]
+                             : walls ? lower[f_]
+                                     : means.u[n - 1][f_];
+        const scalar above = j < n   ? means.u[j][f_]
+                             : walls ? upper[f_]
+                                     : means.u[0][f_];
         const bool side = walls && (j == 0 || j == n);
         viscous_[j] += dt * mu * (above - below) / (side ? 0.5 * h : h);
         if (!side) reynolds_[j] -= dt * rho * means.product[j % n];
@@ -183,6 +201,7 @@ bool Foam::functionObjects::phaseProfiles::execute()
 
 bool Foam::functionObjects::phaseProfiles::write()
 {
+    if (postProcess) return true;
     if (!Pstream::master() || weight_ == 0) return true;
     const fileName dir(time_.globalPath() / "postProcessing" / name() /
                        time_.timeName());
@@ -195,15 +214,16 @@ bool Foam::functionObjects::phaseProfiles::write()
 void Foam::functionObjects::phaseProfiles::writeFreeLayers(Ostream& os) const
 {
     scalarField all(u_.size(), Zero);
-    for (const scalarField& volume : volume_)
+    forAll(volume_, g)
     {
-        all += volume;
+        if (bodies_.groups()[g].host() < 0) all += volume_[g];
     }
     const scalar half = 0.5 * average(all);
     const auto thickness = [&](const bool upper)
     {
         const label n = all.size();
-        const auto at = [&](const label j) { return all[upper ? n - 1 - j : j]; };
+        const auto at = [&](const label j)
+        { return all[upper ? n - 1 - j : j]; };
         label j = 0;
         while (j < n && at(j) < half)
             ++j;

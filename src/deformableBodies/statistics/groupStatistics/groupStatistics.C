@@ -176,8 +176,8 @@ void Foam::groupStatistics::writeMeans(Ostream& os) const
     }
     if (axis_ >= 0)
     {
-        os << "orderParameter "
-           << 0.5 * (3 * cmptMax(eigenValues(aa)) - 1) << " -1 0" << nl;
+        os << "orderParameter " << 0.5 * (3 * cmptMax(eigenValues(aa)) - 1)
+           << " -1 0" << nl;
     }
 }
 
@@ -204,8 +204,8 @@ void Foam::groupStatistics::writeConcentration(Ostream& os) const
     {
         all += c[0];
     }
-    const scalar volume = 4 * constant::mathematical::pi / 3 *
-                          pow3(settings_.around);
+    const scalar volume =
+        4 * constant::mathematical::pi / 3 * pow3(settings_.around);
     os.precision(8);
     os << "# others numberDensity probability velocityX velocityY velocityZ"
        << nl << "# 1 1/m^3 1 m/s m/s m/s" << nl;
@@ -249,8 +249,7 @@ void Foam::groupStatistics::readState(const dictionary& dict)
     pairs_.restore(dict.get<scalarList>("pairs"));
     forAll(quantities_, i)
     {
-        distributions_[i].restore(
-            dict.get<scalarList>("of." + quantities_[i]));
+        distributions_[i].restore(dict.get<scalarList>("of." + quantities_[i]));
     }
     const scalarList numbers(dict.get<scalarList>("concentration"));
     concentration_.setSize(numbers.size() / 4);

@@ -54,7 +54,8 @@ void Foam::pairDistribution::add(const vector& r, const scalar weight)
     const label n = 2 * nBins_;
     const scalar i = (r[f_] / reach_ + 1) * nBins_,
                  j = (r[g_] / reach_ + 1) * nBins_;
-    if (mag(r[3 - f_ - g_]) < 0.1 * reach_ && i >= 0 && j >= 0 && i < n && j < n)
+    if (mag(r[3 - f_ - g_]) < 0.1 * reach_ && i >= 0 && j >= 0 && i < n &&
+        j < n)
     {
         map_[label(j) * n + label(i)] += weight;
     }
