@@ -201,7 +201,7 @@ def judge(name, folder, modes, end: float, cell: float, *health):
     largest value). The bound holds at the fixed step and grows in proportion with deltaT,
     up to a quarter."""
     reference = Run(folder + "/reference")
-    with open(folder + "/fixed/dt") as f:
+    with open(folder + "/fixed.dt") as f:
         fixed = float(f.read())
     bad = [] if reference.ended else [reference.error or "no end"]
     bad = bad or troubles(reference, reference, cell)

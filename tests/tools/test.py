@@ -241,6 +241,7 @@ def verdictOf(column, **words):
     with tempfile.TemporaryDirectory() as folder:
         stabilityRun(folder + "/reference", line)
         stabilityRun(folder + "/fixed", column, **words)
+        file(folder + "/fixed.dt", open(folder + "/fixed/dt").read())
         out = io.StringIO()
         with contextlib.redirect_stdout(out):
             stability.judge("a/b", folder, "fixed", 10, 0.5, "y", "0.02", "1")
