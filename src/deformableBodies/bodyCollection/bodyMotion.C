@@ -202,8 +202,7 @@ Foam::staggeredTarget Foam::bodyMotion::perMass(const staggeredTarget& force,
     target.factor /= system_.rho;
     if (system_.periodicBox())
     {
-        const vector L(system_.grid.length());
-        addUniform(-target.factor * gSum(F) / (L.x() * L.y() * L.z()),
+        addUniform(-target.factor * gSum(F) / system_.grid.volume(),
                    system_.grid.box().size, force);
     }
     return target;
@@ -219,18 +218,13 @@ void Foam::bodyMotion::updateViscosity(const labelUList& groups)
     {
         const bodyGroup& group = system_.groups[g];
         const label n = group.nMarkers();
-        const enclosedFluid* fluid = group.inside();
-        const scalar around =
-            group.host() < 0
-                ? 1
-                : system_.groups[group.host()].inside()->viscosityRatio();
-        const scalar more = fluid ? fluid->viscosityRatio() - around : 0;
+        const scalar more = system_.excessViscosity(g);
         if (more != 0 && group.twoWay())
         {
             SubField<vector> dS(G, n, first);
-            fluid->areas(dS.data());
+            group.inside()->areas(dS.data());
             dS *= -more;
-            excess += more * fluid->volume();
+            excess += more * group.inside()->volume();
         }
         first += n;
     }

@@ -48,6 +48,15 @@ Foam::label Foam::bodySystem::nMarkers(const labelUList& which) const
     return n;
 }
 
+Foam::scalar Foam::bodySystem::excessViscosity(const label g) const
+{
+    const bodyGroup& group = groups[g];
+    if (!group.inside()) return 0;
+    const scalar around =
+        group.host() < 0 ? 1 : groups[group.host()].inside()->viscosityRatio();
+    return group.inside()->viscosityRatio() - around;
+}
+
 Foam::bodySystem::markerLoads
 Foam::bodySystem::loads(const labelUList& which) const
 {

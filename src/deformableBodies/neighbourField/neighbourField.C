@@ -168,7 +168,7 @@ void Foam::neighbourField::findNear(const bodyHere& body,
 
 void Foam::neighbourField::findMean(const std::vector<bodyHere>& mine)
 {
-    if (!(grid_.periodic(0) && grid_.periodic(1) && grid_.periodic(2))) return;
+    if (!grid_.periodic()) return;
     mean_ = Zero;
     for (const bodyHere& body : mine)
     {
@@ -180,8 +180,7 @@ void Foam::neighbourField::findMean(const std::vector<bodyHere>& mine)
         mean_ += sums_[body.group]->withheldFlow() * force;
     }
     reduce(mean_, sumOp<vector>());
-    const vector L(grid_.length());
-    mean_ /= L.x() * L.y() * L.z();
+    mean_ /= grid_.volume();
 }
 
 void Foam::neighbourField::update()

@@ -2,6 +2,7 @@
 
 #include "sceneNumbers.H"
 #include "gaussGrad.H"
+#include "shearSides.H"
 #include "StringStream.H"
 #include "volFields.H"
 #include <iomanip>
@@ -80,34 +81,19 @@ Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh, string& from)
     const uniformGrid& grid = uniformGrid::New(mesh);
 
     s.speed = gMax(mag(U.primitiveField()));
+    for (const fvPatchVectorField& side : U.boundaryField())
+    {
+        if (side.patch().coupled()) continue;
+        for (const vector& v : side)
+        {
+            s.speed = max(s.speed, mag(v));
+        }
+    }
     for (direction d = 0; d < 3; ++d)
     {
         if (grid.periodic(d)) continue;
-        vector velocity[2] = {Zero, Zero};
-        scalar area[2] = {0, 0};
-        for (const fvPatchVectorField& side : U.boundaryField())
-        {
-            if (side.patch().coupled()) continue;
-            forAll(side, i)
-            {
-                const label facei = side.patch().start() + i;
-                if (grid.faceDirection(facei) != d) continue;
-                const bool upper = !grid.lowerSide(facei);
-                velocity[upper] +=
-                    mesh.magSf().boundaryField()[side.patch().index()][i] *
-                    side[i];
-                area[upper] +=
-                    mesh.magSf().boundaryField()[side.patch().index()][i];
-                s.speed = max(s.speed, mag(side[i]));
-            }
-        }
-        for (label upper = 0; upper < 2; ++upper)
-        {
-            reduce(velocity[upper], sumOp<vector>());
-            reduce(area[upper], sumOp<scalar>());
-            velocity[upper] /= area[upper] + VSMALL;
-        }
-        vector across(velocity[1] - velocity[0]);
+        const sideVelocities sides(U, grid, d);
+        vector across(sides.upper - sides.lower);
         across[d] = 0;
         const scalar rate = mag(across) / grid.length()[d];
         if (rate > s.rate)

@@ -36,10 +36,9 @@ void Foam::viscosityContrast::update(const markerSet& markers,
     poisson_.solve(I.data(), I.cdata(), 0, inverseSqr);
 
     // Without walls the solution has zero mean; the enclosed volume gives its level
-    const vector L(grid_.length());
     const scalar mean =
         poisson_.singular(0)
-            ? returnReduce(excess, sumOp<scalar>()) / (L.x() * L.y() * L.z())
+            ? returnReduce(excess, sumOp<scalar>()) / grid_.volume()
             : 0;
     forAll(I, celli)
     {

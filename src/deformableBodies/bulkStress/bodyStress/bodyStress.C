@@ -20,13 +20,7 @@ void actingGroups(const bodySystem& system, Visit visit)
 
 Foam::scalar Foam::bodyStress::contrast(const label g) const
 {
-    const bodyGroup& group = system_.groups[g];
-    if (!system_.contrast || !group.inside()) return 0;
-    const scalar around =
-        group.host() < 0
-            ? 1
-            : system_.groups[group.host()].inside()->viscosityRatio();
-    return group.inside()->viscosityRatio() - around;
+    return system_.contrast ? system_.excessViscosity(g) : 0;
 }
 
 Foam::wordList Foam::bodyStress::names() const
@@ -110,8 +104,7 @@ Foam::tensor Foam::bodyStress::viscousMoment(const label g) const
 
 Foam::tensorField Foam::bodyStress::parts() const
 {
-    const vector L(system_.grid.length());
-    const scalar perVolume = 1 / (L.x() * L.y() * L.z());
+    const scalar perVolume = 1 / system_.grid.volume();
     DynamicList<tensor> all;
     tensor net(Zero);
     actingGroups(system_,

@@ -70,17 +70,12 @@ void Foam::bulkStress::append(autoPtr<OFstream>& file, const word& name,
     file() << endl;
 }
 
-// Numbers as text, whatever the format of the fields: a list without its size is read so
 void Foam::bulkStress::writeState(Ostream& os) const
 {
     OStringStream text;
     text.precision(17);
-    text << "lastTime " << lastTime_ << token::END_STATEMENT << nl << "sums (";
-    for (const scalar x : means_.state())
-    {
-        text << x << nl;
-    }
-    text << ')' << token::END_STATEMENT << nl;
+    text << "lastTime " << lastTime_ << token::END_STATEMENT << nl;
+    writeNumbers(text, "sums", means_.state());
     os.writeEntry("columns", columns());
     os << text.str().c_str();
 }

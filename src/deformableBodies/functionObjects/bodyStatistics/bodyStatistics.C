@@ -2,12 +2,9 @@
 
 #include "bodyStatistics.H"
 #include "addToRunTimeSelectionTable.H"
-#include "bodyCollection.H"
 #include "bodyWriter.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
-#include "functionTimes.H"
-#include "OSspecific.H"
 
 namespace Foam
 {
@@ -21,9 +18,7 @@ addToRunTimeSelectionTable(functionObject, bodyStatistics, dictionary);
 Foam::functionObjects::bodyStatistics::bodyStatistics(const word& name,
                                                       const Time& time,
                                                       const dictionary& dict)
-    : fvMeshFunctionObject(name, time, dict),
-      bodies_(bodyCollection::New(mesh_)),
-      last_(max(time.value(), dict.getOrDefault<scalar>("timeStart", -GREAT)))
+    : sampledBodies(name, time, dict, typeName)
 {
     const groupStatistics::settings settings(readSettings(dict));
     wordList all;
@@ -39,37 +34,21 @@ Foam::functionObjects::bodyStatistics::bodyStatistics(const word& name,
         groups_.emplace_back(bodies_.groups()[g], uniformGrid::New(mesh_),
                              settings);
     }
-    if (groups_.empty())
-    {
-        refuse(dict, "type", typeName,
-               "cases with constant/deformableBodies: there are no bodies");
-    }
-    if (mesh_.foundObject<regIOobject>(name))
-    {
-        refuse(dict.parent(), name, typeName,
-               "another name, as the mesh has an object of this one");
-    }
     settings_ = textOf(settings);
     readState();
-    state_.reset(new stateObject<IOdictionary>(
-        name, "uniform", mesh_,
-        [this, dict](Ostream& os)
-        {
-            // Functions execute after the fields are written
-            if (isExecuted(dict, time_)) execute();
-            OStringStream text;
-            text.precision(17);
-            text << "last " << last_ << ';' << nl << "settings " << settings_
-                 << ';' << nl << "groups" << nl << '{' << nl;
-            for (const groupStatistics& g : groups_)
-            {
-                text << g.group().name() << nl << '{' << nl;
-                g.writeState(text);
-                text << '}' << nl;
-            }
-            text << '}' << nl;
-            os << text.str().c_str();
-        }));
+    keepState(dict);
+}
+
+void Foam::functionObjects::bodyStatistics::writeState(Ostream& os) const
+{
+    os << "settings " << settings_ << ';' << nl << "groups" << nl << '{' << nl;
+    for (const groupStatistics& g : groups_)
+    {
+        os << g.group().name() << nl << '{' << nl;
+        g.writeState(os);
+        os << '}' << nl;
+    }
+    os << '}' << nl;
 }
 
 Foam::groupStatistics::settings
@@ -77,7 +56,6 @@ Foam::functionObjects::bodyStatistics::readSettings(
     const dictionary& dict) const
 {
     const uniformGrid& grid = uniformGrid::New(mesh_);
-    grid.require(dict, typeName);
     const scalar half = 0.5 * cmptMin(grid.length());
     groupStatistics::settings s{
         dict.getOrDefault<label>("bins", 40),
@@ -108,13 +86,6 @@ Foam::functionObjects::bodyStatistics::readSettings(
     }
     s.f = axes.find(plane[0]);
     s.g = axes.find(plane[1]);
-    const scalar end = time_.endTime().value(),
-                 start = dict.getOrDefault<scalar>("timeStart", -GREAT);
-    if (start >= end)
-    {
-        refuse(dict, "timeStart", Foam::name(start),
-               "times before endTime, " + Foam::name(end));
-    }
     return s;
 }
 
@@ -149,26 +120,22 @@ Foam::string Foam::functionObjects::bodyStatistics::textOf(
 
 bool Foam::functionObjects::bodyStatistics::execute()
 {
-    const scalar now = time_.value(), dt = now - last_;
-    if (postProcess || dt < 0.5 * time_.deltaTValue()) return true;
-    last_ = now;
+    const scalar dt = elapsed();
+    if (dt == 0) return true;
     for (groupStatistics& g : groups_)
     {
         const bodyReport& report = g.group().report();
         const List<scalarList> rows(bodyWriter::inOrder<scalarList>(
             g.group(), [&](const label i) { return report.sample(i); }));
-        if (Pstream::master()) g.add(now, dt, rows);
+        if (Pstream::master()) g.add(last_, dt, rows);
     }
     return true;
 }
 
 bool Foam::functionObjects::bodyStatistics::write()
 {
-    if (postProcess) return true;
-    if (!Pstream::master()) return true;
-    const fileName dir(time_.globalPath() / "postProcessing" / name() /
-                       time_.timeName());
-    mkDir(dir);
+    if (postProcess || !Pstream::master()) return true;
+    const fileName dir(folder());
     for (const groupStatistics& g : groups_)
     {
         g.write(dir / g.group().name());

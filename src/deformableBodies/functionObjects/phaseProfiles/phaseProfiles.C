@@ -2,12 +2,9 @@
 
 #include "phaseProfiles.H"
 #include "addToRunTimeSelectionTable.H"
-#include "bodyCollection.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
-#include "functionTimes.H"
 #include "layerVolumes.H"
-#include "OSspecific.H"
 
 namespace Foam
 {
@@ -33,39 +30,19 @@ Foam::direction acrossSides(const Foam::uniformGrid& grid)
 Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
                                                     const Time& time,
                                                     const dictionary& dict)
-    : fvMeshFunctionObject(name, time, dict),
-      bodies_(bodyCollection::New(mesh_)),
-      grid_(uniformGrid::New(mesh_)),
-      last_(max(time.value(), dict.getOrDefault<scalar>("timeStart", -GREAT)))
+    : sampledBodies(name, time, dict, typeName),
+      grid_(uniformGrid::New(mesh_))
 {
-    grid_.require(dict, typeName);
-    if (bodies_.empty())
-    {
-        refuse(dict, "type", typeName,
-               "cases with constant/deformableBodies: there are no bodies");
-    }
     g_ = readDirection(dict, "across", acrossSides(grid_));
     const shearSides sides(shearSides::of(mesh_));
     f_ = readDirection(dict, "flow",
                        sides.rate != 0 && sides.gradient == g_ ? sides.flow
                        : g_ == 0                               ? 1
                                                                : 0);
-    if (mesh_.foundObject<regIOobject>(name))
-    {
-        refuse(dict.parent(), name, typeName,
-               "another name, as the mesh has an object of this one");
-    }
     if (f_ == g_)
     {
         refuse(dict, "flow", dict.getOrDefault<word>("flow", "x"),
                "a direction other than across");
-    }
-    const scalar end = time.endTime().value(),
-                 start = dict.getOrDefault<scalar>("timeStart", -GREAT);
-    if (start >= end)
-    {
-        refuse(dict, "timeStart", Foam::name(start),
-               "times before endTime, " + Foam::name(end));
     }
     const label n = grid_.n()[g_], groups = bodies_.groups().size();
     u_.setSize(n, Zero);
@@ -77,28 +54,7 @@ Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
     volume_.setSize(groups, scalarField(n, Zero));
     momentum_.setSize(groups, vectorField(n, Zero));
     readState();
-    state_.reset(new stateObject<IOdictionary>(
-        name, "uniform", mesh_,
-        [this, dict](Ostream& os)
-        {
-            // Functions execute after the fields are written
-            if (isExecuted(dict, time_)) execute();
-            OStringStream text;
-            text.precision(17);
-            text << "last " << last_ << ';' << nl << "directions (" << label(f_)
-                 << ' ' << label(g_) << ");" << nl << "weight " << weight_
-                 << ';' << nl << "sums (";
-            sums(
-                [&](const UList<scalar>& numbers)
-                {
-                    for (const scalar x : numbers)
-                    {
-                        text << x << nl;
-                    }
-                });
-            text << ");" << nl;
-            os << text.str().c_str();
-        }));
+    keepState(dict);
 }
 
 Foam::direction Foam::functionObjects::phaseProfiles::readDirection(
@@ -108,23 +64,41 @@ Foam::direction Foam::functionObjects::phaseProfiles::readDirection(
     return axes.find(readWord(dict, name, axes, axes[otherwise]));
 }
 
-template<class Visit>
-void Foam::functionObjects::phaseProfiles::sums(Visit visit)
+std::vector<Foam::UList<Foam::scalar>>
+Foam::functionObjects::phaseProfiles::sums() const
 {
-    const auto vectors = [&](vectorField& v) {
-        visit(UList<scalar>(reinterpret_cast<scalar*>(v.data()), 3 * v.size()));
-    };
-    vectors(u_);
-    vectors(squares_);
-    for (scalarField* s : {&viscous_, &reynolds_, &ofBodies_})
+    std::vector<UList<scalar>> all;
+    const auto append = [&](const auto& field)
     {
-        visit(UList<scalar>(s->data(), s->size()));
-    }
+        using value = typename std::decay<decltype(field[0])>::type;
+        scalar* first =
+            reinterpret_cast<scalar*>(const_cast<value*>(field.cdata()));
+        all.emplace_back(first,
+                         field.size() * label(sizeof(value) / sizeof(scalar)));
+    };
+    append(u_);
+    append(squares_);
+    append(viscous_);
+    append(reynolds_);
+    append(ofBodies_);
     forAll(volume_, g)
     {
-        visit(UList<scalar>(volume_[g].data(), volume_[g].size()));
-        vectors(momentum_[g]);
+        append(volume_[g]);
+        append(momentum_[g]);
     }
+    return all;
+}
+
+void Foam::functionObjects::phaseProfiles::writeState(Ostream& os) const
+{
+    os << "directions (" << label(f_) << ' ' << label(g_) << ");" << nl
+       << "weight " << weight_ << ';' << nl;
+    DynamicList<scalar> all;
+    for (const UList<scalar>& numbers : sums())
+    {
+        all.append(numbers);
+    }
+    writeNumbers(os, "sums", all);
 }
 
 void Foam::functionObjects::phaseProfiles::readState()
@@ -140,25 +114,26 @@ void Foam::functionObjects::phaseProfiles::readState()
     }
     const scalarList numbers(saved->get<scalarList>("sums"));
     label n = 0, k = 0;
-    sums([&](const UList<scalar>& to) { n += to.size(); });
+    for (const UList<scalar>& to : sums())
+    {
+        n += to.size();
+    }
     if (n != numbers.size()) return;
-    sums(
-        [&](UList<scalar> to)
+    for (UList<scalar> to : sums())
+    {
+        for (scalar& x : to)
         {
-            for (scalar& x : to)
-            {
-                x = numbers[k++];
-            }
-        });
+            x = numbers[k++];
+        }
+    }
     weight_ = saved->get<scalar>("weight");
     last_ = saved->get<scalar>("last");
 }
 
 bool Foam::functionObjects::phaseProfiles::execute()
 {
-    const scalar now = time_.value(), dt = now - last_;
-    if (postProcess || dt < 0.5 * time_.deltaTValue()) return true;
-    last_ = now;
+    const scalar dt = elapsed();
+    if (dt == 0) return true;
     weight_ += dt;
     const label n = grid_.n()[g_];
     const scalar h = grid_.h()[g_], rho = bodies_.statistics().rho(),
@@ -167,8 +142,7 @@ bool Foam::functionObjects::phaseProfiles::execute()
     u_ += dt * means.u;
     squares_ += dt * means.squares;
     const scalarField force(bodies_.statistics().forces(f_, g_));
-    const vector L(grid_.length());
-    const scalar layer = L.x() * L.y() * L.z() / n;
+    const scalar layer = grid_.volume() / n;
     const shearSides sides(shearSides::of(mesh_));
     const bool walls = !grid_.periodic(g_);
     const vector lower(sides.gradient == g_ ? sides.lower : vector::zero),
@@ -201,11 +175,8 @@ bool Foam::functionObjects::phaseProfiles::execute()
 
 bool Foam::functionObjects::phaseProfiles::write()
 {
-    if (postProcess) return true;
-    if (!Pstream::master() || weight_ == 0) return true;
-    const fileName dir(time_.globalPath() / "postProcessing" / name() /
-                       time_.timeName());
-    mkDir(dir);
+    if (postProcess || !Pstream::master() || weight_ == 0) return true;
+    const fileName dir(folder());
     writeProfiles(OFstream(dir / "profiles.dat")());
     writeStress(OFstream(dir / "stress.dat")());
     return true;

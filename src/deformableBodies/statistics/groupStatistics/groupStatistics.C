@@ -4,6 +4,7 @@
 #include "mathematicalConstants.H"
 #include "OFstream.H"
 #include "periodicBox.H"
+#include "stateObject.H"
 
 Foam::groupStatistics::groupStatistics(const bodyGroup& group,
                                        const uniformGrid& grid,
@@ -220,27 +221,18 @@ void Foam::groupStatistics::writeConcentration(Ostream& os) const
 
 void Foam::groupStatistics::writeState(Ostream& os) const
 {
-    const auto list = [&](const word& name, const UList<scalar>& numbers)
-    {
-        os << name << " (";
-        for (const scalar x : numbers)
-        {
-            os << x << nl;
-        }
-        os << ");" << nl;
-    };
-    list("means", means_.state());
-    list("pairs", pairs_.state());
+    writeNumbers(os, "means", means_.state());
+    writeNumbers(os, "pairs", pairs_.state());
     forAll(quantities_, i)
     {
-        list("of." + quantities_[i], distributions_[i].state());
+        writeNumbers(os, "of." + quantities_[i], distributions_[i].state());
     }
     DynamicList<scalar> numbers;
     for (const scalarList& c : concentration_)
     {
         numbers.append(c);
     }
-    list("concentration", numbers);
+    writeNumbers(os, "concentration", numbers);
 }
 
 void Foam::groupStatistics::readState(const dictionary& dict)

@@ -21,7 +21,7 @@ void Foam::pairDistribution::add(const UList<point>& centres, const scalar dt)
 {
     const label n = centres.size();
     const vector L(grid_.length());
-    expected_ += dt * n * (n - 1.0) / (L.x() * L.y() * L.z());
+    expected_ += dt * n * (n - 1.0) / grid_.volume();
     for (label i = 0; i < n; ++i)
     {
         for (label j = i + 1; j < n; ++j)

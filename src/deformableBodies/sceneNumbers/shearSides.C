@@ -4,18 +4,13 @@
 #include "uniformGrid.H"
 #include "volFields.H"
 
-namespace
+Foam::sideVelocities::sideVelocities(const volVectorField& U,
+                                     const uniformGrid& grid, const direction d)
+    : lower(Zero),
+      upper(Zero),
+      fixed(true)
 {
-using namespace Foam;
-
-//- Mean velocity of the sides across a direction, the lower and the upper one; 0 of both
-//  where a side does not fix it (collective)
-FixedList<vector, 2> velocities(const volVectorField& U,
-                                const uniformGrid& grid, const direction d)
-{
-    FixedList<vector, 2> sum(vector::zero);
     scalar area[2] = {0, 0};
-    bool fixed = true;
     for (const fvPatchVectorField& side : U.boundaryField())
     {
         if (side.patch().coupled()) continue;
@@ -24,22 +19,18 @@ FixedList<vector, 2> velocities(const volVectorField& U,
         {
             const label facei = side.patch().start() + i;
             if (grid.faceDirection(facei) != d) continue;
-            const bool upper = !grid.lowerSide(facei);
+            const bool isLower = grid.lowerSide(facei);
+            (isLower ? lower : upper) += magSf[i] * side[i];
+            area[isLower] += magSf[i];
             fixed = fixed && side.fixesValue();
-            sum[upper] += magSf[i] * side[i];
-            area[upper] += magSf[i];
         }
     }
-    for (label upper = 0; upper < 2; ++upper)
-    {
-        reduce(sum[upper], sumOp<vector>());
-        reduce(area[upper], sumOp<scalar>());
-        sum[upper] /= area[upper] + VSMALL;
-    }
-    if (!returnReduce(fixed, andOp<bool>())) sum = vector::zero;
-    return sum;
+    reduce(lower, sumOp<vector>());
+    reduce(upper, sumOp<vector>());
+    lower /= returnReduce(area[1], sumOp<scalar>()) + VSMALL;
+    upper /= returnReduce(area[0], sumOp<scalar>()) + VSMALL;
+    reduce(fixed, andOp<bool>());
 }
-} // namespace
 
 Foam::shearSides Foam::shearSides::of(const fvMesh& mesh)
 {
@@ -50,8 +41,9 @@ Foam::shearSides Foam::shearSides::of(const fvMesh& mesh)
     for (direction d = 0; d < 3; ++d)
     {
         if (grid.periodic(d)) continue;
-        const FixedList<vector, 2> sides(velocities(U, grid, d));
-        vector across(sides[1] - sides[0]);
+        const sideVelocities sides(U, grid, d);
+        if (!sides.fixed) continue;
+        vector across(sides.upper - sides.lower);
         across[d] = 0;
         direction f = d == 0 ? 1 : 0;
         for (direction e = 0; e < 3; ++e)
@@ -62,8 +54,8 @@ Foam::shearSides Foam::shearSides::of(const fvMesh& mesh)
         if (mag(rate) <= mag(all.rate)) continue;
         all.gradient = d;
         all.flow = f;
-        all.lower = sides[0];
-        all.upper = sides[1];
+        all.lower = sides.lower;
+        all.upper = sides.upper;
         all.rate = rate;
         const scalar whole = mag(across);
         across[f] = 0;

@@ -1,0 +1,66 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+#include "sampledBodies.H"
+#include "dictionaryChecks.H"
+#include "functionTimes.H"
+#include "OSspecific.H"
+
+Foam::functionObjects::sampledBodies::sampledBodies(const word& name,
+                                                    const Time& time,
+                                                    const dictionary& dict,
+                                                    const word& type)
+    : fvMeshFunctionObject(name, time, dict),
+      bodies_(bodyCollection::New(mesh_)),
+      last_(max(time.value(), dict.getOrDefault<scalar>("timeStart", -GREAT)))
+{
+    uniformGrid::New(mesh_).require(dict, type);
+    if (bodies_.empty())
+    {
+        refuse(dict, "type", type,
+               "cases with constant/deformableBodies: there are no bodies");
+    }
+    if (mesh_.foundObject<regIOobject>(name))
+    {
+        refuse(dict.parent(), name, type,
+               "another name, as the mesh has an object of this one");
+    }
+    const scalar end = time.endTime().value(),
+                 start = dict.getOrDefault<scalar>("timeStart", -GREAT);
+    if (start >= end)
+    {
+        refuse(dict, "timeStart", Foam::name(start),
+               "times before endTime, " + Foam::name(end));
+    }
+}
+
+void Foam::functionObjects::sampledBodies::keepState(const dictionary& dict)
+{
+    state_.reset(new stateObject<IOdictionary>(name(), "uniform", mesh_,
+                                               [this, dict](Ostream& os)
+                                               {
+                                                   if (isExecuted(dict, time_))
+                                                       execute();
+                                                   OStringStream text;
+                                                   text.precision(17);
+                                                   text << "last " << last_
+                                                        << ';' << nl;
+                                                   writeState(text);
+                                                   os << text.str().c_str();
+                                               }));
+}
+
+Foam::scalar Foam::functionObjects::sampledBodies::elapsed()
+{
+    const scalar dt = time_.value() - last_;
+    if (postProcess || dt < 0.5 * time_.deltaTValue()) return 0;
+    last_ = time_.value();
+    return dt;
+}
+
+Foam::fileName Foam::functionObjects::sampledBodies::folder() const
+{
+    const fileName dir(time_.globalPath() / "postProcessing" / name() /
+                       time_.timeName());
+    mkDir(dir);
+    return dir;
+}
