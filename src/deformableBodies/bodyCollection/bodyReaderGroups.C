@@ -5,7 +5,6 @@
 #include "dictionaryChecks.H"
 #include "rangeCheck.H"
 #include "nucleusReader.H"
-#include "pairNearField.H"
 
 namespace
 {
@@ -18,23 +17,6 @@ const Foam::wordList besideBodies({"sampleInterval", "accuracy", "kernel",
 //- Characters of a group's name, which becomes a file name
 const char* const nameCharacters =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+.";
-//- The near field of either surface acts on the other; false if one has none
-bool join(Foam::bodyGroup& host, Foam::bodyGroup& nuclei,
-          const Foam::bodyScene& scene)
-{
-    using namespace Foam;
-    const nearSurface* ofHost = host.nearSources();
-    const nearSurface* ofNuclei = nuclei.nearSources();
-    if (!ofHost || !ofNuclei) return false;
-    const scalar h = scene.grid.h().x();
-    const auto mobility =
-        std::make_shared<nearField>(scene.kernel.type(), h, scene.mu, h);
-    host.addCorrection(
-        std::unique_ptr<pairNearField>(new pairNearField(*ofNuclei, mobility)));
-    nuclei.addCorrection(
-        std::unique_ptr<pairNearField>(new pairNearField(*ofHost, mobility)));
-    return true;
-}
 } // namespace
 
 void Foam::bodyReader::readGroups(const bodyScene& scene)
@@ -111,7 +93,8 @@ void Foam::bodyReader::addNuclei(const dictionary& bodies, const word& name,
     within.insideBodies = true;
     system_.groups.append(bodyGroup::New(inside, nuclei, within).ptr());
     system_.groups.last().setHost(host, system_.groups[host]);
-    if (!join(system_.groups[host], system_.groups.last(), within))
+    if (!system_.groups[host].nearSources() ||
+        !system_.groups.last().nearSources())
     {
         judge(group,
               {{"nucleus", "gap to the membrane/h",
@@ -128,26 +111,33 @@ void Foam::bodyReader::addNuclei(const dictionary& bodies, const word& name,
 
 void Foam::bodyReader::readNeighbourField(const bodyScene& scene)
 {
-    DynamicList<label> with;
-    forAll(system_.groups, g)
+    label nBodies = 0;
+    bool nuclei = false;
+    for (const bodyGroup& group : system_.groups)
     {
-        if (system_.groups[g].nearSources()) with.append(g);
+        if (!group.nearSources()) continue;
+        nBodies += group.nBodies();
+        nuclei = nuclei || group.host() >= 0;
     }
-    const bool wanted = dict_.getOrDefault<Switch>("neighbourField", false);
-    if (wanted && with.empty())
+    const bool wanted = dict_.getOrDefault<Switch>("neighbourField", true);
+    if (wanted && nBodies == 0 && dict_.found("neighbourField"))
     {
         refuse(dict_, "neighbourField", "on",
                "off, as no group has a near field (see its row in the table of "
                "effects)");
     }
-    system_.effects.declare("neighbourField", wanted,
-                            wanted ? "near field between bodies"
-                                   : "no entry neighbourField on");
-    if (!wanted) return;
-    system_.neighbourFields.reset(new neighbourField(system_.groups, scene));
-    for (const label g : with)
+    const bool images = system_.grid.periodic(0) || system_.grid.periodic(1) ||
+                        system_.grid.periodic(2);
+    const bool between = wanted && nBodies > 0 && (nBodies > 1 || images);
+    system_.effects.declare(
+        "neighbourField", between || nuclei,
+        between  ? "near field between bodies closer than 6 cells"
+        : nuclei ? "of nuclei only: entry neighbourField off"
+        : wanted ? "no two surfaces with a near field"
+                 : "entry neighbourField off");
+    if (between || nuclei)
     {
-        system_.groups[g].addCorrection(std::unique_ptr<fromNeighbours>(
-            new fromNeighbours(*system_.neighbourFields, g)));
+        system_.neighbourFields.reset(
+            new neighbourField(system_.groups, scene, !between));
     }
 }

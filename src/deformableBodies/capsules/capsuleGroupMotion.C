@@ -57,11 +57,10 @@ void Foam::capsuleGroup::addNearField(const label i, const bodyStep& s,
         nearLoad(c, F.cdata());
         setNearSources(c);
     }
-    nearField_->add(
-        c.x.data(), c.onFluid.data(), velocity.data(), c.nearMemory,
-        c.lastDeltaT > 0 ? c.lastDeltaT : s.dt,
-        [&](const std::vector<vector>& X, std::vector<vector>& u)
-        { Foam::add(corrections_, i, X.data(), X.size(), u.data()); });
+    nearField_->add(c.x.data(), c.onFluid.data(), velocity.data(), c.nearMemory,
+                    c.lastDeltaT > 0 ? c.lastDeltaT : s.dt,
+                    [&](std::vector<vector>& u)
+                    { addOfOthers(i, u.size(), u.data()); });
 }
 
 Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
@@ -209,6 +208,12 @@ void Foam::capsuleGroup::forcesOnFluid(const label i, const scalar time,
     }
 }
 
+std::vector<Foam::vector>
+Foam::capsuleGroup::nearDirections(const label n) const
+{
+    return nearField_->directions(n);
+}
+
 const Foam::nearSurface::sources&
 Foam::capsuleGroup::nearSources(const label i) const
 {
@@ -217,7 +222,7 @@ Foam::capsuleGroup::nearSources(const label i) const
 
 void Foam::capsuleGroup::setNearSources(capsule& c) const
 {
-    if (corrections_.empty() || c.onFluid.empty()) return;
+    if (!nearField_ || c.onFluid.empty()) return;
     nearField_->forces(c.x.data(), c.onFluid.data(), c.near.X, c.near.F);
 }
 

@@ -55,6 +55,19 @@ void Foam::capsuleNearField::setTaper(const scalar degree)
     }
 }
 
+std::vector<Foam::vector>
+Foam::capsuleNearField::directions(const label n) const
+{
+    const surfacePoints& points =
+        n == nPoints() ? usual_->points : stretched_->points;
+    std::vector<vector> e;
+    for (label k = 0; k < points.size(); ++k)
+    {
+        e.push_back(points.onUnitSphere(k));
+    }
+    return e;
+}
+
 const Foam::capsuleNearField::pointSum&
 Foam::capsuleNearField::setPoints(const double* x, std::vector<vector>& X) const
 {
@@ -112,7 +125,7 @@ std::vector<double> Foam::capsuleNearField::inSlowFlow(const double* x,
     forcesAt(used.points, load, F);
     std::vector<vector> u(X.size());
     used.sum.velocity(X.data(), F.data(), X.size(), u.data());
-    if (more) more(X, u);
+    if (more) more(u);
 
     std::vector<double> coeffs(3 * harmonics().nCoeffs());
     used.points.analysis(u.data(), coeffs.data());

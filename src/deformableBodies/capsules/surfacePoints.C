@@ -37,6 +37,14 @@ Foam::surfacePoints::surfacePoints(const label degree, const label nTheta)
     }
 }
 
+Foam::vector Foam::surfacePoints::onUnitSphere(const label k) const
+{
+    const scalar theta = grid_.theta(used_[k] / grid_.nPhi()),
+                 phi = grid_.phi(used_[k] % grid_.nPhi());
+    return vector(std::sin(theta) * std::cos(phi),
+                  std::sin(theta) * std::sin(phi), std::cos(theta));
+}
+
 void Foam::surfacePoints::values(const double* coeffs, vector* v) const
 {
     grid_.values(coeffs, onGrid_.data());

@@ -1,32 +1,34 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-#include "neighbourField.H"
-#include "periodicBox.H"
-#include <algorithm>
+// Bodies here, and what they feel
 
-namespace
-{
-//- Gaps of spheres about bodies up to which they are near, and from which on not [cells]
-const Foam::scalar nearGap = 4, farGap = 6;
-} // namespace
+#include "neighbourField.H"
+#include <algorithm>
+#include <set>
 
 Foam::neighbourField::neighbourField(const PtrList<bodyGroup>& groups,
-                                     const bodyScene& scene)
+                                     const bodyScene& scene,
+                                     const bool nucleiOnly)
     : groups_(groups),
       grid_(scene.grid),
+      mu_(scene.mu),
+      kernel_(scene.kernel.type()),
       numbers_(groups),
+      nucleiOnly_(nucleiOnly),
       neighbours_(scene.grid),
-      copies_(neighbours_)
+      copies_(neighbours_),
+      spacing_(groups.size(), Zero)
 {
-    const scalar h = grid_.h().x();
-    for (const bodyGroup& group : groups_)
+    forAll(groups, g)
     {
-        const nearSurface* surface = group.nearSources();
-        sums_.emplace_back(
-            surface ? new nearField(scene.kernel.type(), h, scene.mu,
-                                    max(0.5 * h, 0.48 * surface->nearSpacing()),
-                                    nearField::OTHER)
-                    : nullptr);
+        const nearSurface* surface = groups[g].nearSources();
+        if (surface) spacing_[g] = surface->nearSpacing();
+    }
+    if (!nucleiOnly_ && grid_.periodic())
+    {
+        const scalar h = grid_.h().x();
+        withheld_ =
+            nearField(kernel_, h, mu_, h, nearField::OTHER).withheldFlow();
     }
 }
 
@@ -36,21 +38,25 @@ std::vector<Foam::neighbourField::bodyHere> Foam::neighbourField::own() const
     forAll(groups_, g)
     {
         const bodyGroup& group = groups_[g];
-        if (!sums_[g]) continue;
+        if (!group.nearSources()) continue;
         forAll(group.mine(), i)
         {
             const nearSurface::sources& s = group.nearSources()->nearSources(i);
-            bodyHere b{
-                numbers_.number(g, group.mine()[i]), g, Zero, 0, s.X, s.F};
+            bodyHere b;
+            b.number = numbers_.number(g, group.mine()[i]);
+            b.group = g;
+            b.X = s.X;
+            b.F = s.F;
+            b.centre = b.X.empty() ? group.centre(i) : point(Zero);
             for (const vector& x : b.X)
             {
                 b.centre += x / scalar(b.X.size());
             }
+            b.radius = 0;
             for (const vector& x : b.X)
             {
                 b.radius = max(b.radius, mag(x - b.centre));
             }
-            if (b.X.empty()) b.centre = group.centre(i);
             mine.push_back(std::move(b));
         }
     }
@@ -62,17 +68,17 @@ void Foam::neighbourField::collect(const std::vector<bodyHere>& mine)
     // Numbers that each body is sent as: number, group, radius, points, then these and
     // their forces
     const label facts = 4, n = mine.size();
-    scalar largest = 0;
+    largest_ = 0;
     label points = 0, away = 0;
     vectorField centres(n);
     for (label k = 0; k < n; ++k)
     {
         centres[k] = mine[k].centre;
-        largest = max(largest, mine[k].radius);
+        largest_ = max(largest_, mine[k].radius);
         points = max(points, label(mine[k].X.size()));
         away = max(away, neighbours_.away(grid_.cellAt(centres[k])));
     }
-    reduce(largest, maxOp<scalar>());
+    reduce(largest_, maxOp<scalar>());
     reduce(points, maxOp<label>());
     reduce(away, maxOp<label>());
     const label each = facts + 6 * points;
@@ -92,19 +98,24 @@ void Foam::neighbourField::collect(const std::vector<bodyHere>& mine)
             }
         }
     }
-    const scalar reach = 2 * largest + farGap * grid_.h().x();
-    copies_.route(centres, grid_.layersWithin(reach) + away);
+    copies_.route(centres, grid_.layersWithin(reach()) + away);
     const scalarField all(copies_.handOut(numbers.cdata(), each));
+    std::set<label> ours;
+    for (const bodyHere& b : mine)
+    {
+        ours.insert(b.number);
+    }
     here_.clear();
     forAll(copies_.here(), k)
     {
         const scalar* from = &all[k * each];
-        bodyHere b{label(from[0]),
-                   label(from[1]),
-                   copies_.here()[k],
-                   from[2],
-                   std::vector<vector>(label(from[3])),
-                   std::vector<vector>(label(from[3]))};
+        bodyHere b;
+        b.number = from[0];
+        b.group = from[1];
+        b.centre = copies_.here()[k];
+        b.radius = from[2];
+        b.X.resize(label(from[3]));
+        b.F.resize(b.X.size());
         from += facts;
         for (std::vector<vector>* v : {&b.X, &b.F})
         {
@@ -114,117 +125,55 @@ void Foam::neighbourField::collect(const std::vector<bodyHere>& mine)
                 from += 3;
             }
         }
+        b.mine = ours.count(b.number);
+        b.all = nearField::pointSet(b.X, b.F);
+        b.u.assign(b.X.size(), Zero);
         here_.push_back(std::move(b));
     }
+    std::sort(here_.begin(), here_.end(),
+              [](const bodyHere& a, const bodyHere& b)
+              { return a.number < b.number; });
 }
 
-bool Foam::neighbourField::isPartner(const bodyHere& a, const bodyHere& b) const
-{
-    return numbers_.body(a.number) == numbers_.body(b.number) &&
-           (groups_[a.group].host() == b.group ||
-            groups_[b.group].host() == a.group);
-}
-
-void Foam::neighbourField::findNear(const bodyHere& body,
-                                    std::vector<neighbour>& found) const
-{
-    const scalar h = grid_.h().x();
-    const vector L(grid_.length());
-    for (size_t k = 0; k < here_.size(); ++k)
-    {
-        const bodyHere& other = here_[k];
-        const vector nearest(nearestImage(grid_, other.centre, body.centre));
-        for (label image = 0; image < 27; ++image)
-        {
-            const labelVector at(image % 3 - 1, image / 3 % 3 - 1,
-                                 image / 9 - 1);
-            vector r(nearest);
-            bool exists = true;
-            for (direction d = 0; d < 3; ++d)
-            {
-                exists = exists && (at[d] == 0 || grid_.periodic(d));
-                r[d] += at[d] * L[d];
-            }
-            const bool itself =
-                other.number == body.number && mag(r) < 0.5 * cmptMin(L);
-            if (!exists || itself) continue;
-            const scalar gap = (mag(r) - body.radius - other.radius) / h;
-            if (gap >= farGap) continue;
-            if (isPartner(body, other) && mag(r) < body.radius + other.radius)
-            {
-                continue;
-            }
-            const scalar t = min(
-                max((farGap - gap) / (farGap - nearGap), scalar(0)), scalar(1));
-            found.push_back({other.number, label(k),
-                             body.centre + r - other.centre,
-                             t * t * (3 - 2 * t)});
-        }
-    }
-    std::stable_sort(found.begin(), found.end(),
-                     [](const neighbour& a, const neighbour& b)
-                     { return a.number < b.number; });
-}
-
-void Foam::neighbourField::findMean(const std::vector<bodyHere>& mine)
-{
-    if (!grid_.periodic()) return;
-    mean_ = Zero;
-    for (const bodyHere& body : mine)
-    {
-        vector force(Zero);
-        for (const vector& F : body.F)
-        {
-            force += F;
-        }
-        mean_ += sums_[body.group]->withheldFlow() * force;
-    }
-    reduce(mean_, sumOp<vector>());
-    mean_ /= grid_.volume();
-}
-
-void Foam::neighbourField::update()
+void Foam::neighbourField::update(PtrList<bodyGroup>& groups)
 {
     const std::vector<bodyHere> mine(own());
     collect(mine);
-    findMean(mine);
-    near_.setSize(groups_.size());
-    size_t k = 0;
-    forAll(groups_, g)
+    findPairs();
+    for (const pair& p : pairs_)
     {
-        near_[g].clear();
-        if (!sums_[g]) continue;
-        near_[g].setSize(groups_[g].mine().size());
-        for (std::vector<neighbour>& found : near_[g])
+        add(p);
+    }
+    vector force(Zero);
+    for (const bodyHere& b : mine)
+    {
+        for (const vector& F : b.F)
         {
-            findNear(mine[k++], found);
+            force += F;
         }
     }
-}
-
-void Foam::neighbourField::add(const label group, const label i,
-                               const vector* X, const label n, vector* u) const
-{
-    if (group >= near_.size() || i >= near_[group].size()) return;
-    std::vector<vector> at(n), v(n);
-    for (const neighbour& other : near_[group][i])
+    reduce(force, sumOp<vector>());
+    const vector mean(withheld_ / grid_.volume() * force);
+    std::map<label, bodyHere*> byNumber;
+    for (bodyHere& b : here_)
     {
-        const bodyHere& body = here_[other.copy];
-        if (body.X.empty()) continue;
-        for (label k = 0; k < n; ++k)
-        {
-            at[k] = X[k] - other.shift;
-            v[k] = Zero;
-        }
-        sums_[body.group]->add(body.X.data(), body.F.data(),
-                               label(body.X.size()), at.data(), n, v.data());
-        for (label k = 0; k < n; ++k)
-        {
-            u[k] += other.weight * v[k];
-        }
+        byNumber[b.number] = &b;
     }
-    for (label k = 0; k < n; ++k)
+    forAll(groups, g)
     {
-        u[k] -= mean_;
+        nearSurface* surface = groups[g].nearSources();
+        if (!surface) continue;
+        std::vector<std::vector<vector>> u;
+        for (const label i : groups[g].mine())
+        {
+            bodyHere& b = *byNumber[numbers_.number(g, i)];
+            if (!b.uSome.empty()) coarseOf(b)->add(b.uSome, b.u);
+            for (vector& v : b.u)
+            {
+                v -= mean;
+            }
+            u.push_back(std::move(b.u));
+        }
+        surface->setOfOthers(std::move(u));
     }
 }

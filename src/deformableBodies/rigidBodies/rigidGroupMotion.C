@@ -52,9 +52,20 @@ Foam::vectorField Foam::rigidGroup::surfaceVelocity(const label i,
         vectorField own(n);
         nearField_->velocity(x.X.cdata(), x.forces.cdata(), n, own.data());
         v += own;
-        Foam::add(corrections_, i, x.X.cdata(), n, v.data());
+        addOfOthers(i, n, v.data());
     }
     return v;
+}
+
+std::vector<Foam::vector> Foam::rigidGroup::nearDirections(const label) const
+{
+    std::vector<vector> directions;
+    for (const vector& r : markers_)
+    {
+        const vector n(cmptDivide(r, shape_.semiAxes()));
+        directions.push_back(n / mag(n));
+    }
+    return directions;
 }
 
 const Foam::nearSurface::sources&

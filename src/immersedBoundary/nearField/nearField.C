@@ -18,6 +18,7 @@ const double pi = Foam::constant::mathematical::pi;
 constexpr int nLanes = 16;
 using lanes = Eigen::Array<float, nLanes, 1>;
 using lanesAt = Eigen::Map<lanes>;
+using lanesOf = Eigen::Map<const lanes>;
 using oneLane = Eigen::Array<float, 1, 1>;
 } // namespace
 
@@ -49,42 +50,72 @@ Foam::nearField::mobility Foam::nearField::fitted(const scalar q) const
     return {A[0], C[0]};
 }
 
-void Foam::nearField::add(const vector* Y, const vector* G, const label m,
-                          const vector* X, const label n, vector* u) const
+Foam::nearField::pointSet::pointSet(const std::vector<vector>& X,
+                                    const std::vector<vector>& forces)
+    : n(X.size())
 {
-    const scalar factor = 1 / (8 * pi * mu_ * h_);
-    for (label i = 0; i < n; i += nLanes)
+    const label m = (n + nLanes - 1) / nLanes * nLanes;
+    x.assign(3 * m, 0);
+    F.assign(3 * m, 0);
+    if (n) origin = X[0];
+    for (label i = 0; i < n; ++i)
     {
-        const label some = std::min(label(nLanes), n - i);
-        lanes x[3], v[3];
         for (direction d = 0; d < 3; ++d)
         {
-            v[d].setZero();
-            for (label k = 0; k < nLanes; ++k)
-            {
-                x[d][k] = (X[i + std::min(k, some - 1)][d] - X[0][d]) / h_;
-            }
+            x[d * m + i] = X[i][d] - origin[d];
+            F[d * m + i] = forces[i][d];
         }
+    }
+}
+
+void Foam::nearField::exchange(const pointSet& a, const pointSet& b,
+                               const vector& apart, std::vector<vector>& u,
+                               std::vector<vector>& v) const
+{
+    const label n = a.padded(), m = b.padded();
+    const float perCell = 1 / h_;
+    std::vector<float> numbers(6 * m, 0);
+    float* const y = numbers.data();
+    float* const w = y + 3 * m;
+    for (direction d = 0; d < 3; ++d)
+    {
         for (label j = 0; j < m; ++j)
         {
-            lanes r[3], A, C;
-            float g[3];
-            for (direction d = 0; d < 3; ++d)
-            {
-                r[d] = x[d] - float((Y[j][d] - X[0][d]) / h_);
-                g[d] = factor * G[j][d];
-            }
-            evaluate<lanes>(r[0] * r[0] + r[1] * r[1] + r[2] * r[2], A, C);
-            C *= r[0] * g[0] + r[1] * g[1] + r[2] * g[2];
-            for (direction d = 0; d < 3; ++d)
-            {
-                v[d] += A * g[d] + C * r[d];
-            }
+            y[d * m + j] = perCell * (b.x[d * m + j] + float(apart[d]));
         }
-        for (label k = 0; k < some; ++k)
+    }
+    const scalar factor = 1 / (8 * pi * mu_ * h_);
+    u.resize(a.n);
+    for (label i = 0; i < a.n; ++i)
+    {
+        const float x[] = {perCell * a.x[i], perCell * a.x[n + i],
+                           perCell * a.x[2 * n + i]};
+        const float f[] = {a.F[i], a.F[n + i], a.F[2 * n + i]};
+        lanes ux = lanes::Zero(), uy = ux, uz = ux;
+        for (label j = 0; j < m; j += nLanes)
         {
-            u[i + k] += vector(v[0][k], v[1][k], v[2][k]);
+            const lanes rx = x[0] - lanesOf(y + j);
+            const lanes ry = x[1] - lanesOf(y + m + j);
+            const lanes rz = x[2] - lanesOf(y + 2 * m + j);
+            lanes A, C;
+            evaluate<lanes>(rx * rx + ry * ry + rz * rz, A, C);
+            const lanes gx = lanesOf(&b.F[j]), gy = lanesOf(&b.F[m + j]),
+                        gz = lanesOf(&b.F[2 * m + j]);
+            const lanes toA = C * (rx * gx + ry * gy + rz * gz);
+            const lanes toB = C * (rx * f[0] + ry * f[1] + rz * f[2]);
+            ux += A * gx + toA * rx;
+            uy += A * gy + toA * ry;
+            uz += A * gz + toA * rz;
+            lanesAt(w + j) += A * f[0] + toB * rx;
+            lanesAt(w + m + j) += A * f[1] + toB * ry;
+            lanesAt(w + 2 * m + j) += A * f[2] + toB * rz;
         }
+        u[i] = factor * vector(ux.sum(), uy.sum(), uz.sum());
+    }
+    v.resize(b.n);
+    for (label j = 0; j < b.n; ++j)
+    {
+        v[j] = factor * vector(w[j], w[m + j], w[2 * m + j]);
     }
 }
 

@@ -80,8 +80,19 @@ TEST(NearField, sumBetweenClouds)
             F(SubField<vector>(c.F, n)), Y(SubField<vector>(c.X, 53, n)),
             G(SubField<vector>(c.F, 53, n));
         vectorField u(velocity(near, X, F)), v(velocity(near, Y, G));
-        near.add(Y.cdata(), G.cdata(), 53, X.cdata(), n, u.data());
-        near.add(X.cdata(), F.cdata(), n, Y.cdata(), 53, v.data());
+        const auto list = [](const vectorField& f)
+        { return std::vector<vector>(f.begin(), f.end()); };
+        const nearField::pointSet a(list(X), list(F)), b(list(Y), list(G));
+        std::vector<vector> toA, toB;
+        near.exchange(a, b, b.origin - a.origin, toA, toB);
+        forAll(u, k)
+        {
+            u[k] += toA[k];
+        }
+        forAll(v, k)
+        {
+            v[k] += toB[k];
+        }
         u.append(v);
         test::expectBelow("two clouds against their union, " +
                               std::to_string(n),

@@ -77,11 +77,12 @@ void Foam::bodyInteractions::collectSurface(const label index,
         group.contactPoints(b.local, X, V);
         if (group.forcing() == forcingType::none) return;
 
-        // Bodies of direct forcing are at the start of the step
-        const scalar dt = time_.deltaTValue();
+        // Bodies of direct forcing are at the start of the step. A force in its middle
+        // neither gives energy to an elastic contact nor takes it
+        const scalar half = 0.5 * time_.deltaTValue();
         forAll(areas, k)
         {
-            X[k] += dt * V[k];
+            X[k] += half * V[k];
         }
     };
     points_.addSurface(index, b.number, areas, place);

@@ -49,6 +49,17 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
                "scenes with capsules or rigid bodies that act on the fluid; "
                "between fibres collision and lubrication act");
     }
+    for (const contactLoad& load : scene.loads)
+    {
+        if (!load.isSurface || load.softness < GREAT) continue;
+        if (load.stokesNumber() <= 10) continue;
+        IOWarningInFunction(dict)
+            << "bodies strike others or walls at Stokes numbers up to "
+            << load.stokesNumber() << " (" << load.reason.c_str() << ')' << nl
+            << "    Above 10 they rebound. How far depends on this contact and "
+               "on deltaT, as the film of fluid that damps it is not resolved"
+            << endl;
+    }
     const auto strength = [&](const scalar range)
     {
         contactStrength all{0, "5 Gs/a", GREAT, 0};
