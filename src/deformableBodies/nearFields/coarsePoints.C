@@ -53,10 +53,10 @@ Eigen::RowVectorXd polynomials(const vector& n, const label p)
 } // namespace
 
 Foam::coarsePoints::coarsePoints(const std::vector<vector>& directions,
-                                 const label degree)
+                                 const label degree, const label nCoarse)
+    : which_(spread(directions, nCoarse))
 {
     const label n = directions.size(), nHarmonics = (degree + 1) * (degree + 1);
-    which_ = spread(directions, min(n, label(1.6 * nHarmonics)));
     Eigen::MatrixXd all(n, nHarmonics), coarse(which_.size(), nHarmonics);
     for (label k = 0; k < n; ++k)
     {
@@ -92,10 +92,10 @@ Foam::coarsePoints::forces(const std::vector<vector>& F) const
     return some;
 }
 
-void Foam::coarsePoints::add(const std::vector<vector>& coarse,
-                             std::vector<vector>& u) const
+void Foam::coarsePoints::add(const std::vector<vector>& coarse, vector* u) const
 {
-    rowsAt(&u[0].x(), u.size(), 3).noalias() +=
-        matrixOf(P_.data(), u.size(), coarse.size()) *
+    const label n = P_.size() / which_.size();
+    rowsAt(&u[0].x(), n, 3).noalias() +=
+        matrixOf(P_.data(), n, coarse.size()) *
         rowsOf(&coarse[0].x(), coarse.size(), 3);
 }

@@ -167,7 +167,7 @@ void Foam::neighbourField::update(PtrList<bodyGroup>& groups)
         for (const label i : groups[g].mine())
         {
             bodyHere& b = *byNumber[numbers_.number(g, i)];
-            if (!b.uSome.empty()) coarseOf(b)->add(b.uSome, b.u);
+            if (!b.uSome.empty()) coarseOf(b)->add(b.uSome, b.u.data());
             for (vector& v : b.u)
             {
                 v -= mean;

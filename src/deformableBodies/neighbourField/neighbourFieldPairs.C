@@ -130,11 +130,13 @@ const Foam::coarsePoints* Foam::neighbourField::coarseOf(const bodyHere& body)
         const nearSurface& surface = *groups_[body.group].nearSources();
         const scalar cells = spacing_[body.group] / grid_.h().x() *
                              std::sqrt(n / (4 * constant::mathematical::pi));
-        const label degree = std::ceil(1.25 * cells);
+        const label degree = std::ceil(1.25 * cells),
+                    some = label(1.6 * sqr(scalar(degree + 1)));
         std::unique_ptr<const coarsePoints> points;
-        if (1.6 * sqr(scalar(degree + 1)) < 0.6 * n)
+        if (some < 0.6 * n)
         {
-            points.reset(new coarsePoints(surface.nearDirections(n), degree));
+            points.reset(
+                new coarsePoints(surface.nearDirections(n), degree, some));
         }
         found =
             coarse_.emplace(std::make_pair(body.group, n), std::move(points))

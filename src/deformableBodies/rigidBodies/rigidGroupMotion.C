@@ -52,7 +52,9 @@ Foam::vectorField Foam::rigidGroup::surfaceVelocity(const label i,
         vectorField own(n);
         nearField_->velocity(x.X.cdata(), x.forces.cdata(), n, own.data());
         v += own;
-        addOfOthers(i, n, v.data());
+        std::vector<vector> ofOthers(n, vector(Zero));
+        addOfOthers(i, n, ofOthers.data());
+        smooth_->add(ofOthers, v.data());
     }
     return v;
 }
@@ -78,7 +80,8 @@ Foam::rigidGroup::nearSources(const label i) const
     {
         nearSources_.X.push_back(x.centre + (R & r));
     }
-    nearSources_.F.assign(x.forces.begin(), x.forces.end());
+    nearSources_.F =
+        smooth_->forces(std::vector<vector>(x.forces.begin(), x.forces.end()));
     return nearSources_;
 }
 

@@ -202,6 +202,8 @@ void Foam::rigidGroup::makeMarkers(const scalar spacing)
     }
 
     if (!nearField_) return;
+    const label degree = max(label(1), label(1.6 * shape_.radius() / h_));
+    smooth_.reset(new coarsePoints(nearDirections(n), degree, n));
     vectorField u(n);
     for (direction d = 0; d < 3; ++d)
     {
