@@ -65,7 +65,8 @@ void Foam::bodyCollection::read(const IOobject& io)
     state_.reset(new bodyState(system_, limits_, reader.given()));
     state_->read(dict);
     boxChecks_.reset(new boxChecks(mesh, system_.groups, *system_.markers,
-                                   system_.interactions.get()));
+                                   system_.interactions.get(),
+                                   system_.neighbourFields.get()));
     boxChecks_->checkStart(dict);
     statistics_.read(dict);
     output_.reset(

@@ -264,6 +264,15 @@ void Foam::bodyReader::readInteractions(const bodyScene& scene)
     }
     system_.effects.declare("interactions", !interactions.empty(), reason);
     if (interactions.empty()) return;
-    system_.interactions.reset(new bodyInteractions(interactions, system_.mesh,
-                                                    system_.groups, scene));
+    bool nearField = bool(system_.neighbourFields);
+    forAll(system_.groups, g)
+    {
+        const bodyGroup& group = system_.groups[g];
+        if (interactionScene::takesPart(group) && group.points(-1).isSurface())
+        {
+            nearField = nearField && system_.neighbourFields->actBetween(g, g);
+        }
+    }
+    system_.interactions.reset(new bodyInteractions(
+        interactions, system_.mesh, system_.groups, scene, nearField));
 }

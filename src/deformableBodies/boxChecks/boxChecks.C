@@ -10,11 +10,12 @@
 
 Foam::boxChecks::boxChecks(const fvMesh& mesh, PtrList<bodyGroup>& groups,
                            markerSet& markers,
-                           const bodyInteractions* interactions)
+                           const bodyInteractions* interactions,
+                           const neighbourField* nearField)
     : time_(mesh.time()),
       grid_(uniformGrid::New(mesh)),
       groups_(groups),
-      close_(time_, groups, markers, interactions),
+      close_(time_, groups, markers, interactions, nearField),
       wallNamed_(groups.size(), false),
       nearWall_(groups.size(), false)
 {

@@ -7,12 +7,14 @@
 
 Foam::closeWarnings::closeWarnings(const Time& time, PtrList<bodyGroup>& groups,
                                    markerSet& markers,
-                                   const bodyInteractions* interactions)
+                                   const bodyInteractions* interactions,
+                                   const neighbourField* nearField)
     : time_(time),
       groups_(groups),
       markers_(markers),
       numbers_(groups),
-      named_(groups.size() * (groups.size() + 1) / 2, false)
+      named_(groups.size() * (groups.size() + 1) / 2, false),
+      limit_(named_.size(), 1.5)
 {
     forAll(groups_, g)
     {
@@ -24,6 +26,10 @@ Foam::closeWarnings::closeWarnings(const Time& time, PtrList<bodyGroup>& groups,
                 !groups_[g].twoWay() || !groups_[h].twoWay() ||
                 (g == h && groups_[g].nBodies() < 2) ||
                 (interactions && interactions->actBetween(g, h));
+            if (nearField && nearField->actBetween(g, h))
+            {
+                limit_[pairOf(g, h)] = 0.75;
+            }
         }
     }
 }
@@ -75,7 +81,7 @@ Foam::List<Foam::closeWarnings::encounter> Foam::closeWarnings::closest()
     {
         const label pair = pairOf(numbers_.group(a), numbers_.group(b));
         encounter& e = closest[pair];
-        if (named_[pair] || distance >= e.distance) return;
+        if (named_[pair] || distance >= min(e.distance, limit_[pair])) return;
         e.distance = distance;
         e.a = a;
         e.b = b;
@@ -120,8 +126,9 @@ void Foam::closeWarnings::look()
             firstOf(e.distance == least ? describe(e) : string()));
         WarningInFunction
             << sentence.c_str() << ", at time " << time_.timeName() << nl
-            << "    Below 1.5 cells the fluid between bodies is not "
-            << "resolved, and nothing keeps them apart (said once for these "
+            << "    Below " << limit_[pair]
+            << " cells the fluid between bodies is not resolved, and nothing "
+               "keeps them apart (said once for these "
             << "groups)" << endl;
     }
 }

@@ -1,6 +1,9 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "coarsePoints.H"
+
+// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <Eigen/QR>
 #include <algorithm>
 #include <limits>
@@ -8,10 +11,12 @@
 namespace
 {
 using namespace Foam;
-using rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-using rowsOf = Eigen::Map<const rows>;
-using rowsAt = Eigen::Map<rows>;
-using matrixOf = Eigen::Map<const Eigen::MatrixXd>;
+
+//- Number of points that products handle as one vector
+constexpr int nLanes = 16;
+using lanes = Eigen::Array<float, nLanes, 1>;
+using lanesOf = Eigen::Map<const lanes>;
+using lanesAt = Eigen::Map<lanes>;
 
 //- Indices of n of the points, each the one furthest from those before
 std::vector<label> spread(const std::vector<vector>& X, const label n)
@@ -54,11 +59,14 @@ Eigen::RowVectorXd polynomials(const vector& n, const label p)
 
 Foam::coarsePoints::coarsePoints(const std::vector<vector>& directions,
                                  const label degree, const label nCoarse)
-    : which_(spread(directions, nCoarse))
+    : n_(directions.size()),
+      padded_((n_ + nLanes - 1) / nLanes * nLanes),
+      which_(spread(directions, nCoarse)),
+      P_(padded_ * which_.size(), 0)
 {
-    const label n = directions.size(), nHarmonics = (degree + 1) * (degree + 1);
-    Eigen::MatrixXd all(n, nHarmonics), coarse(which_.size(), nHarmonics);
-    for (label k = 0; k < n; ++k)
+    const label nHarmonics = (degree + 1) * (degree + 1);
+    Eigen::MatrixXd all(n_, nHarmonics), coarse(which_.size(), nHarmonics);
+    for (label k = 0; k < n_; ++k)
     {
         all.row(k) = polynomials(directions[k], degree);
     }
@@ -66,9 +74,9 @@ Foam::coarsePoints::coarsePoints(const std::vector<vector>& directions,
     {
         coarse.row(k) = all.row(which_[k]);
     }
-    P_.resize(n * which_.size());
-    Eigen::Map<Eigen::MatrixXd>(P_.data(), n, which_.size()) =
-        all * coarse.completeOrthogonalDecomposition().pseudoInverse();
+    Eigen::Map<Eigen::MatrixXf>(P_.data(), padded_, which_.size()).topRows(n_) =
+        (all * coarse.completeOrthogonalDecomposition().pseudoInverse())
+            .cast<float>();
 }
 
 std::vector<Foam::vector>
@@ -82,20 +90,54 @@ Foam::coarsePoints::positions(const std::vector<vector>& X) const
     return some;
 }
 
-std::vector<Foam::vector>
-Foam::coarsePoints::forces(const std::vector<vector>& F) const
+std::vector<Foam::vector> Foam::coarsePoints::forces(const vector* F) const
 {
-    std::vector<vector> some(which_.size());
-    rowsAt(&some[0].x(), some.size(), 3).noalias() =
-        matrixOf(P_.data(), F.size(), some.size()).transpose() *
-        rowsOf(&F[0].x(), F.size(), 3);
+    std::vector<float> f(3 * padded_, 0);
+    for (label k = 0; k < n_; ++k)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            f[d * padded_ + k] = F[k][d];
+        }
+    }
+    std::vector<vector> some;
+    for (size_t c = 0; c < which_.size(); ++c)
+    {
+        lanes sum[3];
+        sum[0].setZero();
+        sum[1].setZero();
+        sum[2].setZero();
+        for (label k = 0; k < padded_; k += nLanes)
+        {
+            const lanes p(lanesOf(&P_[c * padded_ + k]));
+            for (direction d = 0; d < 3; ++d)
+            {
+                sum[d] += p * lanesOf(&f[d * padded_ + k]);
+            }
+        }
+        some.push_back(vector(sum[0].sum(), sum[1].sum(), sum[2].sum()));
+    }
     return some;
 }
 
 void Foam::coarsePoints::add(const std::vector<vector>& coarse, vector* u) const
 {
-    const label n = P_.size() / which_.size();
-    rowsAt(&u[0].x(), n, 3).noalias() +=
-        matrixOf(P_.data(), n, coarse.size()) *
-        rowsOf(&coarse[0].x(), coarse.size(), 3);
+    std::vector<float> sum(3 * padded_, 0);
+    for (size_t c = 0; c < which_.size(); ++c)
+    {
+        const float v[] = {float(coarse[c].x()), float(coarse[c].y()),
+                           float(coarse[c].z())};
+        for (label k = 0; k < padded_; k += nLanes)
+        {
+            const lanes p(lanesOf(&P_[c * padded_ + k]));
+            for (direction d = 0; d < 3; ++d)
+            {
+                lanesAt(&sum[d * padded_ + k]) += v[d] * p;
+            }
+        }
+    }
+    for (label k = 0; k < n_; ++k)
+    {
+        u[k] += vector(sum[k], sum[padded_ + k], sum[2 * padded_ + k]);
+    }
 }

@@ -126,8 +126,6 @@ void Foam::neighbourField::collect(const std::vector<bodyHere>& mine)
             }
         }
         b.mine = ours.count(b.number);
-        b.all = nearField::pointSet(b.X, b.F);
-        b.u.assign(b.X.size(), Zero);
         here_.push_back(std::move(b));
     }
     std::sort(here_.begin(), here_.end(),
@@ -166,13 +164,11 @@ void Foam::neighbourField::update(PtrList<bodyGroup>& groups)
         std::vector<std::vector<vector>> u;
         for (const label i : groups[g].mine())
         {
-            bodyHere& b = *byNumber[numbers_.number(g, i)];
-            if (!b.uSome.empty()) coarseOf(b)->add(b.uSome, b.u.data());
-            for (vector& v : b.u)
+            u.push_back(velocities(*byNumber[numbers_.number(g, i)]));
+            for (vector& v : u.back())
             {
                 v -= mean;
             }
-            u.push_back(std::move(b.u));
         }
         surface->setOfOthers(std::move(u));
     }

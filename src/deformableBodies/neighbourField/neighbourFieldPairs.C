@@ -14,8 +14,11 @@ using namespace Foam;
 //  [cells]
 const scalar nearGap = 4, farGap = 6, closeGap = 1.5, apartGap = 2.5;
 
-//- Spacing of coarse points [cells]
-const scalar coarseSpacing = 2;
+//- Spacing of the points of each level [cells]
+const scalar levelSpacing[] = {1.1, 2};
+
+//- Degree from which on surfaces do not exchange anything
+const label largestDegree = 8;
 
 //- 1 below a, 0 above b
 scalar fade(const scalar x, const scalar a, const scalar b)
@@ -24,15 +27,19 @@ scalar fade(const scalar x, const scalar a, const scalar b)
     return t * t * (3 - 2 * t);
 }
 
-//- Largest component of points along e
-scalar furthest(const std::vector<vector>& X, const vector& e)
+//- The point that is furthest along e, of every second one
+const vector& furthest(const std::vector<vector>& X, const vector& e)
 {
+    size_t best = 0;
     scalar most = -GREAT;
-    for (const vector& x : X)
+    for (size_t k = 0; k < X.size(); k += 2)
     {
-        most = max(most, x & e);
+        const scalar along = X[k] & e;
+        if (along <= most) continue;
+        most = along;
+        best = k;
     }
-    return most;
+    return X[best];
 }
 
 void addTo(std::vector<vector>& u, const std::vector<vector>& v,
@@ -65,8 +72,19 @@ Foam::scalar Foam::neighbourField::gap(const bodyHere& a, const bodyHere& b,
     const vector r(b.centre + shift - a.centre);
     const scalar apart = mag(r), ofSpheres = (apart - a.radius - b.radius) / h;
     if (ofSpheres > farGap || apart < SMALL * h) return ofSpheres;
-    const vector e(r / apart);
-    return ((shift & e) - furthest(b.X, -e) - furthest(a.X, e)) / h;
+
+    // Planes across the line of the centres, then across that of the points that these
+    // touch, and once more
+    scalar largest = -GREAT;
+    vector e(r / apart);
+    for (label i = 0; i < 3 && largest < farGap * h; ++i)
+    {
+        const vector between(furthest(b.X, -e) + shift - furthest(a.X, e));
+        largest = max(largest, between & e);
+        if (mag(between) < SMALL * h) break;
+        e = between / mag(between);
+    }
+    return largest / h;
 }
 
 void Foam::neighbourField::findPairs()
@@ -121,75 +139,79 @@ const Foam::nearField& Foam::neighbourField::sumFor(const scalar spacing,
     return *sum;
 }
 
-const Foam::coarsePoints* Foam::neighbourField::coarseOf(const bodyHere& body)
+const Foam::coarsePoints* Foam::neighbourField::coarseOf(const bodyHere& body,
+                                                         const level l)
 {
     const label n = body.X.size();
-    auto found = coarse_.find({body.group, n});
-    if (found == coarse_.end())
+    const std::array<label, 3> key{body.group, n, l};
+    const auto found = coarse_.find(key);
+    if (found != coarse_.end()) return found->second.get();
+
+    const scalar pi = constant::mathematical::pi;
+    const scalar cells = spacing_[body.group] / grid_.h().x() *
+                         std::sqrt(n / (4 * pi)); // radius
+    const label degree =
+        l == CLOSE ? largestDegree
+                   : min(largestDegree, label(std::ceil(1.25 * cells)));
+    const label some = max(1.6 * sqr(scalar(degree + 1)),
+                           4 * pi * sqr(cells / levelSpacing[l]));
+    std::unique_ptr<const coarsePoints>& points = coarse_[key];
+    if (some < 0.8 * n)
     {
-        const nearSurface& surface = *groups_[body.group].nearSources();
-        const scalar cells = spacing_[body.group] / grid_.h().x() *
-                             std::sqrt(n / (4 * constant::mathematical::pi));
-        const label degree = std::ceil(1.25 * cells),
-                    some = label(1.6 * sqr(scalar(degree + 1)));
-        std::unique_ptr<const coarsePoints> points;
-        if (some < 0.6 * n)
-        {
-            points.reset(
-                new coarsePoints(surface.nearDirections(n), degree, some));
-        }
-        found =
-            coarse_.emplace(std::make_pair(body.group, n), std::move(points))
-                .first;
+        points.reset(new coarsePoints(
+            groups_[body.group].nearSources()->nearDirections(n), degree,
+            some));
     }
-    return found->second.get();
+    return points.get();
 }
 
-void Foam::neighbourField::addAll(const pair& p, const scalar weight)
+void Foam::neighbourField::add(const pair& p, const level l,
+                               const scalar weight)
 {
+    scalar spacing = levelSpacing[l] * grid_.h().x(), mu = mu_;
+    for (const label k : {p.a, p.b})
+    {
+        bodyHere& x = here_[k];
+        const coarsePoints* coarse = coarseOf(x, l);
+        if (!coarse) spacing = max(spacing, spacing_[x.group]);
+        if (x.points[l].n) continue;
+        x.points[l] = coarse ? nearField::pointSet(coarse->positions(x.X),
+                                                   coarse->forces(x.F.data()))
+                             : nearField::pointSet(x.X, x.F);
+    }
     bodyHere &a = here_[p.a], &b = here_[p.b];
-    scalar mu = mu_;
     if (p.inside)
     {
         const bodyHere& host = groups_[a.group].host() == b.group ? b : a;
         mu *= groups_[host.group].inside()->viscosityRatio();
     }
     std::vector<vector> u, v;
-    sumFor(max(spacing_[a.group], spacing_[b.group]), mu)
-        .exchange(a.all, b.all, b.all.origin + p.shift - a.all.origin, u, v);
-    addTo(a.u, u, weight);
-    addTo(b.u, v, weight);
-}
-
-void Foam::neighbourField::addSome(const pair& p, const scalar weight)
-{
-    for (const label k : {p.a, p.b})
-    {
-        bodyHere& x = here_[k];
-        if (x.some.n) continue;
-        const coarsePoints& points = *coarseOf(x);
-        x.some = nearField::pointSet(points.positions(x.X), points.forces(x.F));
-    }
-    bodyHere &a = here_[p.a], &b = here_[p.b];
-    std::vector<vector> u, v;
-    sumFor(coarseSpacing * grid_.h().x(), mu_)
-        .exchange(a.some, b.some, b.some.origin + p.shift - a.some.origin, u,
-                  v);
-    addTo(a.uSome, u, weight);
-    addTo(b.uSome, v, weight);
+    sumFor(spacing, mu)
+        .exchange(a.points[l], b.points[l],
+                  b.points[l].origin + p.shift - a.points[l].origin, u, v);
+    addTo(a.u[l], u, weight);
+    addTo(b.u[l], v, weight);
 }
 
 void Foam::neighbourField::add(const pair& p)
 {
-    if (p.inside)
+    const scalar weight = p.inside ? 1 : fade(p.gap, nearGap, farGap);
+    const scalar close = p.inside ? 1 : fade(p.gap, closeGap, apartGap);
+    if (close > 0) add(p, CLOSE, weight * close);
+    if (close < 1) add(p, FAR, weight * (1 - close));
+}
+
+std::vector<Foam::vector> Foam::neighbourField::velocities(const bodyHere& body)
+{
+    std::vector<vector> u(body.X.size(), vector(Zero));
+    for (const level l : {CLOSE, FAR})
     {
-        addAll(p, 1);
-        return;
+        if (body.u[l].empty()) continue;
+        const coarsePoints* coarse = coarseOf(body, l);
+        if (coarse)
+            coarse->add(body.u[l], u.data());
+        else
+            addTo(u, body.u[l], 1);
     }
-    const scalar weight = fade(p.gap, nearGap, farGap);
-    const scalar all = coarseOf(here_[p.a]) && coarseOf(here_[p.b])
-                           ? fade(p.gap, closeGap, apartGap)
-                           : 1;
-    if (all > 0) addAll(p, weight * all);
-    if (all < 1) addSome(p, weight * (1 - all));
+    return u;
 }

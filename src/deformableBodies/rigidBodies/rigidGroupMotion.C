@@ -80,8 +80,7 @@ Foam::rigidGroup::nearSources(const label i) const
     {
         nearSources_.X.push_back(x.centre + (R & r));
     }
-    nearSources_.F =
-        smooth_->forces(std::vector<vector>(x.forces.begin(), x.forces.end()));
+    nearSources_.F = smooth_->forces(x.forces.cdata());
     return nearSources_;
 }
 

@@ -9,14 +9,16 @@
 Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
                                          const fvMesh& mesh,
                                          const PtrList<bodyGroup>& groups,
-                                         const bodyScene& scene)
+                                         const bodyScene& scene,
+                                         const bool nearField)
     : time_(mesh.time()),
       grid_(scene.grid),
       groups_(groups),
       effects_(scene.effects),
       numbers_(groups),
       walls_(mesh, scene.grid),
-      models_(dict, interactionScene::of(mesh, groups, scene), scene.effects),
+      models_(dict, interactionScene::of(mesh, groups, scene, nearField),
+              scene.effects),
       areas_(groups.size()),
       near_(scene.grid, walls_, models_.range()),
       points_(scene.grid),

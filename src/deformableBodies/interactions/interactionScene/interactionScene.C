@@ -14,7 +14,7 @@ bool Foam::interactionScene::takesPart(const bodyGroup& group)
 
 Foam::interactionScene
 Foam::interactionScene::of(const fvMesh& mesh, const PtrList<bodyGroup>& groups,
-                           const bodyScene& scene)
+                           const bodyScene& scene, const bool nearField)
 {
     const dictionary& control = mesh.time().controlDict();
     string from;
@@ -27,7 +27,8 @@ Foam::interactionScene::of(const fvMesh& mesh, const PtrList<bodyGroup>& groups,
                          0,
                          0,
                          GREAT,
-                         List<contactLoad>()};
+                         List<contactLoad>(),
+                         nearField};
     forAll(groups, g)
     {
         if (!takesPart(groups[g])) continue;

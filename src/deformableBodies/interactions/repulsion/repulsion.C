@@ -77,9 +77,9 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
         if (all.most == 0) all.most = GREAT;
         return all;
     };
-    return contactLaw(dict, scene.grid, 1.5 * cmptMax(scene.grid.h()), strength,
-                      dimPressure, scene.deltaT,
-                      0.25 * scene.mu / scene.deltaT);
+    return contactLaw(
+        dict, scene.grid, (scene.nearField ? 0.5 : 1.5) * cmptMax(scene.grid.h()),
+        strength, dimPressure, scene.deltaT, 0.25 * scene.mu / scene.deltaT);
 }
 } // namespace
 
