@@ -4,6 +4,7 @@
 #include "bodyStateFile.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
+#include "sceneNumbers.H"
 #include "uniformDimensionedFields.H"
 
 Foam::bodyReader::bodyReader(const IOdictionary& dict, bodySystem& system)
@@ -94,12 +95,13 @@ void Foam::bodyReader::readFluid()
     const bool continues =
         mesh.time().value() > 0 &&
         dict_.getOrDefault<word>("restart", "continue") != "initial";
-    if (system_.nu->isMean() && continues &&
-        bodyStateFile::read(mesh, saved, file))
+    if (!continues || !bodyStateFile::read(mesh, saved, file)) return;
+    const dictionary before(saved.subOrEmptyDict(bodyStateFile::allGroups));
+    if (system_.nu->isMean() && before.found("nu"))
     {
-        const dictionary before(saved.subOrEmptyDict(bodyStateFile::allGroups));
-        if (before.found("nu")) system_.nu->restore(before.get<scalar>("nu"));
+        system_.nu->restore(before.get<scalar>("nu"));
     }
+    system_.flowDeltaT = before.getOrDefault<scalar>("flowDeltaT", -1);
 }
 
 Foam::bodyScene Foam::bodyReader::scene() const
@@ -136,9 +138,24 @@ Foam::vector Foam::bodyReader::readGravity() const
 Foam::scalar Foam::bodyReader::expectedDeltaT() const
 {
     const Time& time = system_.mesh.time();
+    const dictionary& control = time.controlDict();
     if (!system_.adjustsStep()) return time.deltaTValue();
-    return time.controlDict().getOrDefault<scalar>(
-        "maxDeltaT", system_.solverBalances ? 0 : GREAT);
+    if (control.found("maxDeltaT")) return control.get<scalar>("maxDeltaT");
+    if (!system_.solverBalances) return GREAT;
+
+    // What the flow would allow, at the start of the run: motion that bears it is cheaper
+    if (system_.flowDeltaT >= 0) return system_.flowDeltaT;
+    string from;
+    const flowScales flow(scalesAtStart(system_.mesh, from));
+    scalar dt = 0;
+    if (flow.speed > 0)
+    {
+        const scalar Co = min(control.getOrDefault<scalar>("maxCo", 1), 0.5);
+        dt = Co * cmptMin(system_.grid.h()) / flow.speed;
+    }
+    if (flow.rate > 0) dt = min(dt, 0.04 / flow.rate);
+    system_.flowDeltaT = dt;
+    return dt;
 }
 
 // Samples of many bodies at each step would cost a good part of it
@@ -264,7 +281,7 @@ void Foam::bodyReader::readInteractions(const bodyScene& scene)
     }
     system_.effects.declare("interactions", !interactions.empty(), reason);
     if (interactions.empty()) return;
-    bool nearField = bool(system_.neighbourFields);
+    bool nearField = system_.neighbourFields && nucleated_.empty();
     forAll(system_.groups, g)
     {
         const bodyGroup& group = system_.groups[g];

@@ -54,6 +54,10 @@ void Foam::bodyState::write(Ostream& os, const bool diverged) const
     {
         text << "    nu " << system_.nu->value() << ";\n";
     }
+    if (system_.flowDeltaT >= 0)
+    {
+        text << "    flowDeltaT " << system_.flowDeltaT << ";\n";
+    }
     if (system_.accuracy.wanted > 0 && limits_.savedDeltaT() < GREAT)
     {
         text << "    accuracy " << system_.accuracy.wanted << ";\n    deltaT "
@@ -107,9 +111,9 @@ Foam::bodyState::origins(const IOdictionary& dict) const
     forAll(wanted, g)
     {
         const label host = system_.groups[g].host();
-        wanted[g] =
-            host < 0 ? readEnum(words, dictionaryOf(g, dict), "restart", all)
-                     : wanted[host];
+        wanted[g] = host < 0
+                        ? readEnum(words, dictionaryOf(g, dict), "restart", all)
+                        : wanted[host];
     }
     return wanted;
 }
@@ -172,9 +176,10 @@ void Foam::bodyState::read(const IOdictionary& dict)
                  << "deformableBodies at time " << time.timeName()
                  << (saved.found(group.name()) ? ", although the state has it"
                                                : "")
-                 << (wanted[g] == origin::EITHER ? " (restart initialOnce: later "
-                                                   "runs continue)"
-                                                 : " (restart initial)")
+                 << (wanted[g] == origin::EITHER
+                         ? " (restart initialOnce: later "
+                           "runs continue)"
+                         : " (restart initial)")
                  << nl;
         }
     }

@@ -34,7 +34,7 @@ motionType automatic(const bodyScene& scene,
     if (scene.deltaT <= explicitLimit)
     {
         note = "not needed up to deltaT = " + Foam::name(explicitLimit) +
-               (scene.deltaT > 0 ? "" : ", which adjustTimeStep keeps to");
+               (scene.adjusted ? ", which adjustTimeStep keeps to" : "");
         return EXPLICIT;
     }
     const scalar inertia = waves.inertia();

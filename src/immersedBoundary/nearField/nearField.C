@@ -55,14 +55,14 @@ Foam::nearField::pointSet::pointSet(const std::vector<vector>& X,
     : n(X.size())
 {
     const label m = (n + nLanes - 1) / nLanes * nLanes;
-    x.assign(3 * m, 0);
+    fromOrigin.assign(3 * m, 0);
     F.assign(3 * m, 0);
     if (n) origin = X[0];
     for (label i = 0; i < n; ++i)
     {
         for (direction d = 0; d < 3; ++d)
         {
-            x[d * m + i] = X[i][d] - origin[d];
+            fromOrigin[d * m + i] = X[i][d] - origin[d];
             F[d * m + i] = forces[i][d];
         }
     }
@@ -73,30 +73,42 @@ void Foam::nearField::exchange(const pointSet& a, const pointSet& b,
                                std::vector<vector>& v) const
 {
     const label n = a.padded(), m = b.padded();
-    const float perCell = 1 / h_;
-    std::vector<float> numbers(6 * m, 0);
+    const double perCell = 1 / h_;
+    std::vector<float> numbers(9 * m, 0);
     float* const y = numbers.data();
-    float* const w = y + 3 * m;
+    float* const rest = y + 3 * m;
+    float* const w = rest + 3 * m;
     for (direction d = 0; d < 3; ++d)
     {
         for (label j = 0; j < m; ++j)
         {
-            y[d * m + j] = perCell * (b.x[d * m + j] + float(apart[d]));
+            const double at = perCell * (b.fromOrigin[d * m + j] + apart[d]);
+            y[d * m + j] = at;
+            rest[d * m + j] = at - y[d * m + j];
         }
     }
     const scalar factor = 1 / (8 * pi * mu_ * h_);
     u.resize(a.n);
     for (label i = 0; i < a.n; ++i)
     {
-        const float x[] = {perCell * a.x[i], perCell * a.x[n + i],
-                           perCell * a.x[2 * n + i]};
+        float x[3], xRest[3];
+        for (direction d = 0; d < 3; ++d)
+        {
+            const double at = perCell * a.fromOrigin[d * n + i];
+            x[d] = at;
+            xRest[d] = at - x[d];
+        }
         const float f[] = {a.F[i], a.F[n + i], a.F[2 * n + i]};
         lanes ux = lanes::Zero(), uy = ux, uz = ux;
         for (label j = 0; j < m; j += nLanes)
         {
-            const lanes rx = x[0] - lanesOf(y + j);
-            const lanes ry = x[1] - lanesOf(y + m + j);
-            const lanes rz = x[2] - lanesOf(y + 2 * m + j);
+            const auto difference = [&](const direction d) -> lanes
+            {
+                return (x[d] - lanesOf(y + d * m + j)) +
+                       (xRest[d] - lanesOf(rest + d * m + j));
+            };
+            const lanes rx = difference(0), ry = difference(1),
+                        rz = difference(2);
             lanes A, C;
             evaluate<lanes>(rx * rx + ry * ry + rz * rz, A, C);
             const lanes gx = lanesOf(&b.F[j]), gy = lanesOf(&b.F[m + j]),

@@ -74,8 +74,7 @@ void bessel(const double x, double& j0, double& j2)
 } // namespace
 
 Foam::nearField::nearField(const deltaKernel::kernelType kernel, const scalar h,
-                           const scalar mu, const scalar d,
-                           const surface where)
+                           const scalar mu, const scalar d, const surface where)
     : h_(h),
       mu_(mu),
       d_(d)

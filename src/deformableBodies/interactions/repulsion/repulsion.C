@@ -78,7 +78,7 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
         return all;
     };
     return contactLaw(
-        dict, scene.grid, (scene.nearField ? 0.5 : 1.5) * cmptMax(scene.grid.h()),
+        dict, scene.grid, (scene.nearField ? 1 : 1.5) * cmptMax(scene.grid.h()),
         strength, dimPressure, scene.deltaT, 0.25 * scene.mu / scene.deltaT);
 }
 } // namespace
