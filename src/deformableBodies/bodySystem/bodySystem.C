@@ -35,7 +35,7 @@ void Foam::bodySystem::begin()
     ownership->migrate(groups);
     if (!neighbourFields) return;
     const auto timing(effects.time("neighbourField"));
-    neighbourFields->update(groups);
+    neighbourFields->update();
 }
 
 Foam::label Foam::bodySystem::nMarkers(const labelUList& which) const

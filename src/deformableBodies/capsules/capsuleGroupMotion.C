@@ -222,7 +222,7 @@ Foam::capsuleGroup::nearSources(const label i) const
 
 void Foam::capsuleGroup::setNearSources(capsule& c) const
 {
-    if (!nearField_ || c.onFluid.empty()) return;
+    if (!nearField_ || !exchanges() || c.onFluid.empty()) return;
     nearField_->forces(c.x.data(), c.onFluid.data(), c.near.X, c.near.F);
 }
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-Foam::neighbourField::neighbourField(const PtrList<bodyGroup>& groups,
+Foam::neighbourField::neighbourField(PtrList<bodyGroup>& groups,
                                      const bodyScene& scene,
                                      const bool nucleiOnly)
     : groups_(groups),
@@ -21,8 +21,10 @@ Foam::neighbourField::neighbourField(const PtrList<bodyGroup>& groups,
 {
     forAll(groups, g)
     {
-        const nearSurface* surface = groups[g].nearSources();
-        if (surface) spacing_[g] = surface->nearSpacing();
+        nearSurface* surface = groups[g].nearSources();
+        if (!surface) continue;
+        surface->join();
+        spacing_[g] = surface->nearSpacing();
     }
     if (!nucleiOnly_ && grid_.periodic())
     {
@@ -133,7 +135,7 @@ void Foam::neighbourField::collect(const std::vector<bodyHere>& mine)
               { return a.number < b.number; });
 }
 
-void Foam::neighbourField::update(PtrList<bodyGroup>& groups)
+void Foam::neighbourField::update()
 {
     const std::vector<bodyHere> mine(own());
     collect(mine);
@@ -157,12 +159,12 @@ void Foam::neighbourField::update(PtrList<bodyGroup>& groups)
     {
         byNumber[b.number] = &b;
     }
-    forAll(groups, g)
+    forAll(groups_, g)
     {
-        nearSurface* surface = groups[g].nearSources();
+        nearSurface* surface = groups_[g].nearSources();
         if (!surface) continue;
         std::vector<std::vector<vector>> u;
-        for (const label i : groups[g].mine())
+        for (const label i : groups_[g].mine())
         {
             u.push_back(velocities(*byNumber[numbers_.number(g, i)]));
             for (vector& v : u.back())
