@@ -115,6 +115,7 @@ Foam::bodyScene Foam::bodyReader::scene() const
             readGravity(),
             expectedDeltaT(),
             system_.adjustsStep(),
+            flowDeltaT(),
             time.endTime().value() - time.startTime().value(),
             system_.accuracy,
             readCoupling(dict_, bodyCoupling::twoWay),
@@ -138,18 +139,21 @@ Foam::vector Foam::bodyReader::readGravity() const
 Foam::scalar Foam::bodyReader::expectedDeltaT() const
 {
     const Time& time = system_.mesh.time();
-    const dictionary& control = time.controlDict();
     if (!system_.adjustsStep()) return time.deltaTValue();
-    if (control.found("maxDeltaT")) return control.get<scalar>("maxDeltaT");
-    if (!system_.solverBalances) return GREAT;
+    return time.controlDict().getOrDefault<scalar>(
+        "maxDeltaT", system_.solverBalances ? 0 : GREAT);
+}
 
-    // What the flow would allow, at the start of the run: motion that bears it is cheaper
+Foam::scalar Foam::bodyReader::flowDeltaT() const
+{
+    if (expectedDeltaT() > 0) return 0;
     if (system_.flowDeltaT >= 0) return system_.flowDeltaT;
     string from;
     const flowScales flow(scalesAtStart(system_.mesh, from));
     scalar dt = 0;
     if (flow.speed > 0)
     {
+        const dictionary& control = system_.mesh.time().controlDict();
         const scalar Co = min(control.getOrDefault<scalar>("maxCo", 1), 0.5);
         dt = Co * cmptMin(system_.grid.h()) / flow.speed;
     }

@@ -31,10 +31,11 @@ motionType automatic(const bodyScene& scene,
                      const stabilisedMotion::waves& waves,
                      const scalar explicitLimit, string& note)
 {
-    if (scene.deltaT <= explicitLimit)
+    // The motion that allows the larger step is the cheaper one
+    if (max(scene.deltaT, scene.flowDeltaT) <= explicitLimit)
     {
         note = "not needed up to deltaT = " + Foam::name(explicitLimit) +
-               (scene.adjusted ? ", which adjustTimeStep keeps to" : "");
+               (scene.deltaT > 0 ? "" : ", which adjustTimeStep keeps to");
         return EXPLICIT;
     }
     const scalar inertia = waves.inertia();

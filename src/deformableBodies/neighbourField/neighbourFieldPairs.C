@@ -119,7 +119,7 @@ void Foam::neighbourField::findPairs(const label a, const label b)
         }
         if (!exists || magSqr(r) > sqr(reach)) continue;
 
-        // Of both images of a body on either side, and itself
+        // A body and its images on one side: those on the other are the same pairs
         if (a == b && image <= 13) continue;
         pair p{a, b, first.centre + r - second.centre, 0,
                isPartner(first, second) &&
