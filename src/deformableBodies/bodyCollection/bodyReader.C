@@ -95,6 +95,7 @@ void Foam::bodyReader::readFluid()
     const bool continues =
         mesh.time().value() > 0 &&
         dict_.getOrDefault<word>("restart", "continue") != "initial";
+    if (!system_.nu->isMean() && !system_.adjustsStep()) return;
     if (!continues || !bodyStateFile::read(mesh, saved, file)) return;
     const dictionary before(saved.subOrEmptyDict(bodyStateFile::allGroups));
     if (system_.nu->isMean() && before.found("nu"))
@@ -158,8 +159,7 @@ Foam::scalar Foam::bodyReader::flowDeltaT() const
         dt = Co * cmptMin(system_.grid.h()) / flow.speed;
     }
     if (flow.rate > 0) dt = min(dt, 0.04 / flow.rate);
-    system_.flowDeltaT = dt;
-    return dt;
+    return system_.flowDeltaT = dt;
 }
 
 // Samples of many bodies at each step would cost a good part of it

@@ -52,9 +52,12 @@ Foam::vectorField Foam::rigidGroup::surfaceVelocity(const label i,
         vectorField own(n);
         nearField_->velocity(x.X.cdata(), x.forces.cdata(), n, own.data());
         v += own;
-        std::vector<vector> ofOthers(n, vector(Zero));
-        addOfOthers(i, n, ofOthers.data());
-        smooth_->add(ofOthers, v.data());
+        if (exchanges())
+        {
+            std::vector<vector> ofOthers(n, vector(Zero));
+            addOfOthers(i, n, ofOthers.data());
+            smooth_->add(ofOthers, v.data());
+        }
     }
     return v;
 }
