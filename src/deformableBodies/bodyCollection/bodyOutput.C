@@ -13,20 +13,29 @@ Foam::bodyOutput::bodyOutput(bodySystem& system, const bool wrap)
                        : "one step in " + Foam::name(system.sampleInterval)),
               wrap ? &system.grid : nullptr)
 {
-    const fvMesh& mesh = system.mesh;
-    if (isNamed("bodyForce", mesh.time()))
+    addForceField("bodyForce", identity(system.groups.size()));
+    forAll(system.groups, g)
     {
-        forceField_.reset(new volVectorField(
-            IOobject("bodyForce", mesh.time().timeName(), mesh), mesh,
-            dimensionedVector(dimForce / dimVolume, Zero)));
+        addForceField("bodyForce." + system.groups[g].name(), labelList(1, g));
     }
 }
 
-Foam::tmp<Foam::volVectorField> Foam::bodyOutput::force() const
+void Foam::bodyOutput::addForceField(const word& name, const labelList& groups)
+{
+    const fvMesh& mesh = system_.mesh;
+    if (!isNamed(name, mesh.time())) return;
+    forceFields_.push_back({groups, nullptr});
+    forceFields_.back().field.reset(
+        new volVectorField(IOobject(name, mesh.time().timeName(), mesh), mesh,
+                           dimensionedVector(dimForce / dimVolume, Zero)));
+}
+
+Foam::tmp<Foam::volVectorField>
+Foam::bodyOutput::force(const labelUList& groups) const
 {
     const fvMesh& mesh = system_.mesh;
     staggeredField faces(system_.grid.box());
-    system_.spreadLoads(faces);
+    system_.spreadLoads(groups, faces);
     surfaceScalarField flux(
         IOobject("bodyForceFlux", mesh.time().timeName(), mesh), mesh,
         dimensionedScalar(dimForce / dimVolume * dimArea, Zero));
@@ -44,7 +53,10 @@ void Foam::bodyOutput::start()
 void Foam::bodyOutput::sample()
 {
     const Time& time = system_.mesh.time();
-    if (forceField_ && isLookedAt("bodyForce", time)) *forceField_ = force();
+    for (const forceField& f : forceFields_)
+    {
+        if (isLookedAt(f.field->name(), time)) *f.field = force(f.groups);
+    }
     if (!sampleDue() || lastSampled_ == stepIndex(time)) return;
 
     lastSampled_ = stepIndex(time);
@@ -57,7 +69,10 @@ void Foam::bodyOutput::draw()
 {
     system_.ownership->migrate(system_.groups);
     if (system_.interactions) system_.interactions->update();
-    if (forceField_) *forceField_ = force();
+    for (const forceField& f : forceFields_)
+    {
+        *f.field = force(f.groups);
+    }
     drawWritten();
 }
 

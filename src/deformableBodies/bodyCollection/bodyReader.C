@@ -291,8 +291,8 @@ void Foam::bodyReader::readInteractions(const bodyScene& scene)
         const bodyGroup& group = system_.groups[g];
         if (interactionScene::takesPart(group) && group.points(-1).isSurface())
         {
-            nearField = nearField && group.inside() &&
-                        system_.neighbourFields->actBetween(g, g);
+            nearField =
+                nearField && system_.neighbourFields->actBetween(g, g);
         }
     }
     system_.interactions.reset(new bodyInteractions(

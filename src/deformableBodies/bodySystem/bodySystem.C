@@ -79,9 +79,10 @@ Foam::bodySystem::loads(const labelUList& which) const
     return all;
 }
 
-void Foam::bodySystem::spreadLoads(staggeredField& faces) const
+void Foam::bodySystem::spreadLoads(const labelUList& which,
+                                   staggeredField& faces) const
 {
-    const markerLoads all(loads(identity(groups.size())));
+    const markerLoads all(loads(which));
     if (!returnReduce(all.X.size(), maxOp<label>())) return;
     const auto timing(effects.time("spreading"));
     markers->setPositions(all.X);

@@ -43,6 +43,18 @@ Foam::bodyPoints Foam::rigidGroup::points(const label i) const
                     x.angularVelocity);
 }
 
+void Foam::rigidGroup::contactPoints(const label i, vector* X, vector* V) const
+{
+    const body& x = bodies_[i];
+    const tensor R(x.turn.R());
+    forAll(surface_, k)
+    {
+        const vector r(R & surface_[k]);
+        X[k] = x.centre + r;
+        V[k] = x.velocity + (x.angularVelocity ^ r);
+    }
+}
+
 Foam::point Foam::rigidGroup::initialCentre(const label number) const
 {
     return start_.positions[number];

@@ -127,7 +127,7 @@ Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
         vector force(Zero), torque(Zero);
         if (scene_.forces.actOn(name(), number))
         {
-            vectorField F(n, Zero);
+            vectorField F(surface_.size(), Zero);
             scene_.forces.add(
                 name(), number, [&]() { return points(i); }, s.time,
                 scene_.effects, F);

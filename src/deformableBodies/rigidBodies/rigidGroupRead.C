@@ -163,7 +163,10 @@ void Foam::rigidGroup::makeMarkers(const scalar spacing)
         const tensor volume(sum(areas_ * markers_));
         perVolume_ = inv(volume) & areas_;
     }
-    shape_.points(n, 0, surface_, areas_);
+
+    // Contacts act on points a third as far apart: sums over points as far apart as the
+    // markers hardly hold two surfaces apart that touch
+    shape_.points(9 * n, 0, surface_, areas_);
 
     // The markers keep the order of the spiral, which is that of their forces in a state
     const labelList order(patchOrder(surface_));

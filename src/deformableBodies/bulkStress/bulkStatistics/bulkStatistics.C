@@ -26,7 +26,7 @@ Foam::scalarField Foam::bulkStatistics::forces(const direction f,
                                                const direction g) const
 {
     staggeredField faces(system_.grid.box());
-    system_.spreadLoads(faces);
+    system_.spreadLoads(identity(system_.groups.size()), faces);
     scalarField sums(system_.grid.n()[g], Zero);
     faces.box().cells([&](const label i, const labelVector& cell)
                       { sums[cell[g]] += faces[f][i]; });
