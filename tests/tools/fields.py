@@ -53,6 +53,12 @@ def resultant(file, other=None):
     return "%.3g" % (abs(left).max() / abs(f).max())
 
 
+def sumDifference(total, *parts):
+    """Largest difference of a field from the sum of others, over its largest value."""
+    f = vectors(total)
+    return "%.3g" % (abs(f - sum(vectors(part) for part in parts)).max() / abs(f).max())
+
+
 def taylorGreen(file, n: int):
     """Largest error of the first component of Taylor and Green's vortices (box 8, nu 0.2,
     time 1, n^3 cells), over what is left of them. The fluxes of the start are averages of

@@ -102,3 +102,22 @@ def tensionNoise(group, resolution: float):
         highest.append(T.max())
         noise.append(np.sqrt(np.mean((T - near @ T / near.sum(1))**2)) / T.max())
     return "%.4g" % max(highest), "%.3f" % max(noise)
+
+
+def loads(file, name, samples, columns):
+    """Field of a picture, times the areas where it is per area, summed up over each body, less
+    columns (of x) of the last samples: largest difference over the largest sum."""
+    from dat import Table
+    data = read(file)
+    field, body = array(data, name).astype(float), array(data, "body")
+    if name in ("load", "traction"):
+        field = field * array(data, "area").astype(float)[:, None]
+    table = Table(samples)
+    at = table.names.index(columns)
+    last = table.rows[table["time"] == table["time"][-1]]
+    worst = largest = 0
+    for row in last:
+        total = field[body == row[1]].sum(0)
+        worst = max(worst, abs(total - row[at:at + 3]).max())
+        largest = max(largest, abs(total).max())
+    return "%.2e" % (worst / largest)

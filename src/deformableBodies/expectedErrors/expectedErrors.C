@@ -55,22 +55,35 @@ Foam::string Foam::atMost(const scalar x)
 }
 
 Foam::expectedError Foam::ofForcing(const scalar nu, const scalar deltaT,
-                                    const scalar h, const scalar duration)
+                                    const scalar h, const scalar duration,
+                                    const scalar rate)
 {
     const auto number = [=](const scalar step) { return nu * step / sqr(h); };
+    const auto lag = [=](const scalar step)
+    { return step * max(scalar(1), 15 * number(step)); };
     const auto largest = [=](const scalar error)
     {
         const scalar late = duration > 0 ? error * duration : GREAT;
-        return min(min(scalar(10), error / 8e-4) / number(1),
-                   min(late, std::sqrt(late / (15 * number(1)))));
+        const scalar steady =
+            min(min(scalar(10), error / 8e-4) / number(1),
+                min(late, std::sqrt(late / (15 * number(1)))));
+        if (rate == 0) return steady;
+
+        // 8e-4 number + 0.15 rate lag = error
+        const scalar a = 2.25 * rate * number(1), b = 4e-4 * number(1);
+        return min(steady, min(error / (2 * b + 0.15 * rate),
+                               error / (b + std::sqrt(sqr(b) + a * error))));
     };
-    const auto lag = [=](const scalar step)
+    const auto remark = [=](const scalar step)
     {
-        return "once steady; a force lags by " +
-               Foam::name(step * max(scalar(1), 15 * number(step))) + " s";
+        return string(rate > 0 ? "where bodies meet" : "once steady") +
+               "; a force lags by " + Foam::name(lag(step)) + " s";
     };
-    const auto error = [=](const scalar step)
-    { return number(step) <= 10 * (1 + 1e-9) ? 8e-4 * number(step) : -1; };
+    const auto error = [=](const scalar step) -> scalar
+    {
+        if (number(step) > 10 * (1 + 1e-9)) return -1;
+        return 8e-4 * number(step) + 0.15 * rate * lag(step);
+    };
     const bool fixed = deltaT > 0 && deltaT < GREAT;
     return {"step",
             fixed ? error(deltaT) : -1,
@@ -78,11 +91,11 @@ Foam::expectedError Foam::ofForcing(const scalar nu, const scalar deltaT,
             : error(deltaT) < 0
                 ? "nu deltaT/h^2 = " + Foam::name(number(deltaT)) +
                       ", measured up to 10"
-                : lag(deltaT),
+                : remark(deltaT),
             nullptr,
             largest,
             error,
-            lag};
+            remark};
 }
 
 Foam::scalar Foam::stepFor(expectedErrors& group, const scalar wanted)

@@ -17,8 +17,8 @@ Foam::string Foam::filamentReport::describe(const flowScales& flow) const
        << group_.nBodies() * L * 0.25 * constant::mathematical::pi *
               sqr(group_.thickness_) / cmptProduct(group_.scene_.grid.length());
     if (group_.alone()) return os.str();
-    const scalar nL3 = group_.nBodies() * pow3(L) /
-                       cmptProduct(group_.scene_.grid.length());
+    const scalar nL3 =
+        group_.nBodies() * pow3(L) / cmptProduct(group_.scene_.grid.length());
     os << ", n L^3 " << nL3
        << (nL3 < 1                       ? " (dilute)"
            : nL3 < L / group_.thickness_ ? " (semi-dilute)"
@@ -44,7 +44,7 @@ Foam::string Foam::filamentReport::describe(const flowScales& flow) const
 
 // Measured on cantilevers, chains and swings, and by the drag of straight ones
 // (doc/validation.md)
-Foam::expectedErrors Foam::filamentReport::errors(const flowScales&) const
+Foam::expectedErrors Foam::filamentReport::errors(const flowScales& flow) const
 {
     expectedErrors e{group_.name(), "shape", {}};
     const label n = group_.properties_.segments;
@@ -59,7 +59,8 @@ Foam::expectedErrors Foam::filamentReport::errors(const flowScales&) const
             {"drag", 0.03, "of a fibre of the kernel's thickness", nullptr});
         e.parts.push_back(ofForcing(group_.scene_.mu / group_.scene_.rho,
                                     group_.scene_.deltaT, group_.h_,
-                                    group_.scene_.duration));
+                                    group_.scene_.duration,
+                                    group_.nBodies() > 1 ? flow.rate : 0));
     }
     return e;
 }
@@ -109,7 +110,8 @@ std::vector<Foam::bodyColumn> Foam::filamentReport::columns() const
             {"velocityX", "m/s"}, {"velocityY", "m/s"},
             {"velocityZ", "m/s"}, {"axisX", "1"},
             {"axisY", "1"},       {"axisZ", "1"},
-            {"spin", "1/s"},      {"curvature", "1/m"}};
+            {"spin", "1/s"},      {"curvature", "1/m"},
+            {"endsAlong", "m/s"}, {"endsAcross", "m/s"}};
 }
 
 Foam::scalarList Foam::filamentReport::sample(const label i) const
@@ -142,8 +144,8 @@ Foam::scalarList Foam::filamentReport::sample(const label i) const
     {
         bend += magSqr(X[k + 1] - 2 * X[k] + X[k - 1]);
     }
-    bend = std::sqrt(bend / max(N - 1, label(1))) /
-           sqr(group_.properties_.ds());
+    bend =
+        std::sqrt(bend / max(N - 1, label(1))) / sqr(group_.properties_.ds());
     return {centre.x(),
             centre.y(),
             centre.z(),
@@ -169,12 +171,41 @@ Foam::scalarList Foam::filamentReport::sample(const label i) const
             axis.y(),
             axis.z(),
             spin,
-            bend};
+            bend,
+            apart & axis,
+            mag(apart - (apart & axis) * axis)};
 }
 
 Foam::label Foam::filamentReport::nCoupleMarkers() const
 {
     return group_.markersEach() - group_.points_.size();
+}
+
+void Foam::filamentReport::loads(const label i, vectorField& forces,
+                                 vectorField& couples) const
+{
+    const auto& x = group_.bodies_[i];
+    const label n = group_.points_.size();
+    for (label k = 0; k < n; ++k)
+    {
+        const filament::linePoint& on = group_.points_[k];
+        forces[on.segment] += (1 - on.at) * x.forces[k];
+        forces[on.segment + 1] += on.at * x.forces[k];
+    }
+
+    // Three forces without resultant around each station
+    const label nStations = (group_.markersEach() - n) / 3;
+    for (label station = 0; station < nStations; ++station)
+    {
+        const label first = n + 3 * station;
+        vector couple(Zero);
+        for (label k = first; k < first + 3; ++k)
+        {
+            couple += x.X[k] ^ x.forces[k];
+        }
+        couples[label((station + 0.5) / nStations * (couples.size() - 1))] +=
+            couple;
+    }
 }
 
 // A line along the nodes
@@ -188,8 +219,10 @@ Foam::bodySurface Foam::filamentReport::surface(const label i) const
     s.lines = true;
     s.points = X;
     s.faces.setSize(1, face(Foam::identity(N + 1)));
-    s.vectorNames = {"velocity"};
-    s.vectors.append(x.velocities());
+    s.vectorNames = {"velocity", "force", "couple"};
+    s.vectors.setSize(3, vectorField(N + 1, Zero));
+    s.vectors[0] = x.velocities();
+    if (group_.twoWay()) loads(i, s.vectors[1], s.vectors[2]);
     s.scalarNames = {"tension", "curvature"};
     s.scalars.setSize(2, scalarField(N + 1, Zero));
     forAll(X, k)

@@ -33,7 +33,7 @@ Foam::string Foam::rigidReport::describe(const flowScales& flow) const
     return os.str();
 }
 
-Foam::expectedErrors Foam::rigidReport::errors(const flowScales&) const
+Foam::expectedErrors Foam::rigidReport::errors(const flowScales& flow) const
 {
     expectedErrors e{group_.name(), "drag", {}};
     const scalar radius = group_.shape_.radius() / group_.h_;
@@ -52,9 +52,9 @@ Foam::expectedErrors Foam::rigidReport::errors(const flowScales&) const
                                               : 0.064 / left)) +
                     " m and smaller";
          }});
-    e.parts.push_back(ofForcing(group_.scene_.mu / group_.scene_.rho,
-                                group_.scene_.deltaT, group_.h_,
-                                group_.scene_.duration));
+    e.parts.push_back(ofForcing(
+        group_.scene_.mu / group_.scene_.rho, group_.scene_.deltaT, group_.h_,
+        group_.scene_.duration, group_.nBodies() > 1 ? flow.rate : 0));
     return e;
 }
 
@@ -131,6 +131,28 @@ Foam::scalarList Foam::rigidReport::sample(const label i) const
     return values;
 }
 
+Foam::vectorField Foam::rigidReport::tractions(const label i,
+                                               const vectorField& points,
+                                               const scalarField& areas) const
+{
+    const auto& x = group_.bodies_[i];
+    const tensor R(group_.isSphere() ? tensor::I : x.turn.R());
+    const scalar width = group_.nearSpacing();
+    vectorField t(points.size(), Zero);
+    scalarField weights(points.size());
+    forAll(x.forces, k)
+    {
+        const vector marker(R & group_.markers_[k]);
+        forAll(points, j)
+        {
+            weights[j] = areas[j] * std::exp(-0.5 * magSqr(points[j] - marker) /
+                                             sqr(width));
+        }
+        t += weights / sum(weights) * x.forces[k];
+    }
+    return t / areas;
+}
+
 // Rings around the axis, and one polygon over each pole
 Foam::bodySurface Foam::rigidReport::surface(const label i) const
 {
@@ -140,22 +162,31 @@ Foam::bodySurface Foam::rigidReport::surface(const label i) const
     const scalar pi = constant::mathematical::pi;
     bodySurface s;
     s.points.setSize(nTheta * nPhi);
+    scalarField areas(s.points.size());
+    const vector& axes = group_.shape_.semiAxes();
     for (label r = 0; r < nTheta; ++r)
     {
         const scalar t = pi * (r + 0.5) / nTheta;
+        const scalar share =
+            (std::cos(pi * r / nTheta) - std::cos(pi * (r + 1) / nTheta)) * 2 *
+            pi / nPhi;
         for (label j = 0; j < nPhi; ++j)
         {
             const scalar p = 2 * pi * j / nPhi;
-            const vector on(
-                cmptMultiply(group_.shape_.semiAxes(),
-                             vector(std::sin(t) * std::cos(p),
-                                    std::sin(t) * std::sin(p), std::cos(t))));
-            s.points[r * nPhi + j] = x.centre + (R & on);
+            const vector e(std::sin(t) * std::cos(p), std::sin(t) * std::sin(p),
+                           std::cos(t));
+            s.points[r * nPhi + j] = R & vector(cmptMultiply(axes, e));
+            areas[r * nPhi + j] =
+                share * cmptProduct(axes) * mag(cmptDivide(e, axes));
         }
     }
     s.faces = ringFaces(nTheta, nPhi);
-    s.vectorNames = {"velocity"};
-    s.vectors.setSize(1);
-    s.vectors[0] = x.velocity + (x.angularVelocity ^ (s.points - x.centre));
+    s.vectorNames = {"velocity", "traction"};
+    s.vectors.setSize(2);
+    s.vectors[0] = x.velocity + (x.angularVelocity ^ s.points);
+    s.vectors[1] = tractions(i, s.points, areas);
+    s.scalarNames = {"area"};
+    s.scalars.setSize(1, areas);
+    s.points += x.centre;
     return s;
 }
