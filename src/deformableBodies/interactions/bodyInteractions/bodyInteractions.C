@@ -100,6 +100,18 @@ void Foam::bodyInteractions::compareBoxes()
     near_.compare(bodies, boxes);
 }
 
+Foam::scalar Foam::bodyInteractions::maxDeltaT()
+{
+    if (!hasForces_) compareBoxes();
+    if (!near_.any()) return GREAT;
+    scalar now = hasForces_ ? 0 : GREAT;
+    for (label b = 0; hasForces_ && b < near_.nBodies(); ++b)
+    {
+        now = max(now, 2 * points_.load(b));
+    }
+    return models_.maxDeltaT(returnReduce(now, maxOp<scalar>()));
+}
+
 bool Foam::bodyInteractions::actOn(const label group, const label body) const
 {
     const label b = near_.find(numbers_.number(group, body));

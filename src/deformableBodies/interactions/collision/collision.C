@@ -26,11 +26,11 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
     // several contacts at once
     const auto strength = [&](const scalar range)
     {
-        contactStrength all{0, "mu h^2/(4 deltaT)", GREAT, 0};
+        contactStrength all{0, "mu h^2/(4 deltaT)",
+                            scene.deltaTOf(false, range), 0};
         for (const contactLoad& load : scene.loads)
         {
             if (load.isSurface) continue;
-            all.deltaT = min(all.deltaT, load.borne(range));
             const scalar byFlow = load.force - load.own, dt = scene.deltaT;
             all.most = max(all.most, max(3 * load.own + byFlow,
                                          range * (load.mass / dt + load.drag) /

@@ -30,15 +30,15 @@ Foam::contactLaw::contactLaw(
     reason_ = otherwise.reason;
     most_ = otherwise.most;
     maxDeltaT_ = otherwise.deltaT;
-    if (deltaT > 1.05 * otherwise.deltaT)
+    const scalar bears = maxDeltaT_(GREAT);
+    if (deltaT > 1.05 * bears)
     {
         IOWarningInFunction(dict)
             << "contacts of this scene (" << reason_.c_str()
             << ") are too stiff for deltaT " << deltaT << nl
             << "    Bodies in contact may swing or pass each other: reduce "
                "deltaT to "
-            << otherwise.deltaT << ", or take a larger range than " << range_
-            << endl;
+            << bears << ", or take a larger range than " << range_ << endl;
     }
     if (!given_)
     {

@@ -107,6 +107,12 @@ void Foam::contactPoints::addTo(const label index, vectorField& F) const
     }
 }
 
+Foam::scalar Foam::contactPoints::load(const label index) const
+{
+    const range& points = ranges_[index];
+    return sum(mag(SubField<vector>(F_.F, points.size, points.first)));
+}
+
 Foam::vector Foam::contactPoints::force(const label index) const
 {
     const range& points = ranges_[index];

@@ -70,12 +70,12 @@ bool Foam::interactionModels::actWithinLines() const
     return false;
 }
 
-Foam::scalar Foam::interactionModels::maxDeltaT() const
+Foam::scalar Foam::interactionModels::maxDeltaT(const scalar now) const
 {
     scalar smallest = GREAT;
     for (const contactForce& force : forces_)
     {
-        smallest = min(smallest, force.maxDeltaT());
+        smallest = min(smallest, force.maxDeltaT(now));
     }
     return smallest;
 }

@@ -39,6 +39,22 @@ Foam::interactionScene::of(const fvMesh& mesh, const PtrList<bodyGroup>& groups,
     return all;
 }
 
+std::function<Foam::scalar(Foam::scalar)>
+Foam::interactionScene::deltaTOf(const bool surfaces, const scalar range) const
+{
+    const List<contactLoad> all(loads);
+    return [=](const scalar now)
+    {
+        scalar least = GREAT;
+        for (const contactLoad& load : all)
+        {
+            if (load.isSurface == surfaces)
+                least = min(least, load.borne(range, now));
+        }
+        return least;
+    };
+}
+
 void Foam::interactionScene::add(const bodyPoints& p)
 {
     const scalar pi = constant::mathematical::pi;

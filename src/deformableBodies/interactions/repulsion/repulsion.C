@@ -38,7 +38,7 @@ contactStrength strengthFor(const contactLoad& load,
     const scalar most =
         max((3 * load.own + load.force - load.own) / (a * range),
             0.5 * (load.mass / dt + load.drag) / (pi * a * dt));
-    return {S, reason, load.borne(range), most};
+    return {S, reason, nullptr, most};
 }
 
 contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
@@ -62,12 +62,11 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
     }
     const auto strength = [&](const scalar range)
     {
-        contactStrength all{0, "5 Gs/a", GREAT, 0};
+        contactStrength all{0, "5 Gs/a", scene.deltaTOf(true, range), 0};
         for (const contactLoad& load : scene.loads)
         {
             if (!load.isSurface) continue;
             const contactStrength s(strengthFor(load, scene, range));
-            all.deltaT = min(all.deltaT, s.deltaT);
             all.most = max(all.most, s.most);
             if (s.value <= all.value) continue;
             all.value = s.value;
