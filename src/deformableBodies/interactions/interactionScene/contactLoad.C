@@ -61,7 +61,8 @@ Foam::contactLoad Foam::contactLoad::of(const PtrList<bodyGroup>& groups,
     }
 
     load.own = weightAndLoads(p, group.name(), scene, startTime);
-    const scalar byFlow = flow.rate > 0    ? flow.rate * size
+    const scalar most = flow.speed > 0 ? flow.speed : GREAT;
+    const scalar byFlow = flow.rate > 0    ? min(flow.rate * size, most)
                           : flow.speed > 0 ? flow.speed
                           : load.own > 0   ? 0
                                            : scene.mu / (scene.rho * size);
