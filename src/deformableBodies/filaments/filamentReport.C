@@ -193,15 +193,19 @@ void Foam::filamentReport::loads(const label i, vectorField& forces,
         forces[on.segment + 1] += on.at * x.forces[k];
     }
 
+    if (!group_.couple_) return;
+
     // Three forces without resultant around each station
-    const label nStations = (group_.markersEach() - n) / 3;
+    const label nStations = group_.couple_->nMarkers() / 3;
+    List<thicknessCouple::frame> frames;
+    vectorField X(3 * nStations);
+    group_.couple_->markers(x.line.positions(), frames, X.data());
     for (label station = 0; station < nStations; ++station)
     {
-        const label first = n + 3 * station;
         vector couple(Zero);
-        for (label k = first; k < first + 3; ++k)
+        for (label k = 3 * station; k < 3 * station + 3; ++k)
         {
-            couple += x.X[k] ^ x.forces[k];
+            couple += X[k] ^ x.forces[n + k];
         }
         couples[label((station + 0.5) / nStations * (couples.size() - 1))] +=
             couple;
