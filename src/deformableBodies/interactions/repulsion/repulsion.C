@@ -76,9 +76,17 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
         if (all.most == 0) all.most = GREAT;
         return all;
     };
+
+    // Membranes that inertia presses together cross at 1 h (a Reynolds number of the body
+    // is three times the Stokes number)
+    bool near = scene.nearField;
+    for (const contactLoad& load : scene.loads)
+    {
+        if (load.softness < GREAT && load.stokesNumber() > 0.5) near = false;
+    }
     return contactLaw(
-        dict, scene.grid, (scene.nearField ? 1 : 1.5) * cmptMax(scene.grid.h()),
-        strength, dimPressure, scene.deltaT, 0.25 * scene.mu / scene.deltaT);
+        dict, scene.grid, (near ? 1 : 1.5) * cmptMax(scene.grid.h()), strength,
+        dimPressure, scene.deltaT, 0.25 * scene.mu / scene.deltaT);
 }
 } // namespace
 
