@@ -5,26 +5,26 @@ import numpy as np
 from dat import Table
 
 
+def pieces(pattern):
+    """Tables of all pieces of the run, by the time at which they start."""
+    return [Table(f) for f in sorted(glob.glob(pattern), key=lambda f: float(f.split("/")[-2]))]
+
+
 def averages():
     """Last row of averages.dat by column."""
-    start = lambda f: float(f.split("/")[-2])
-    file = sorted(glob.glob("postProcessing/bulkStress/*/averages.dat"), key=start)[-1]
-    table = Table(file)
-    return dict(zip(table.names, table.rows[-1]))
+    last = pieces("postProcessing/bulkStress/*/averages.dat")[-1]
+    return dict(zip(last.names, last.rows[-1]))
 
 
 def lines():
     """bulkStress.dat of all pieces of the run, names and rows."""
-    start = lambda f: float(f.split("/")[-2])
-    tables = [Table(f) for f in sorted(glob.glob("postProcessing/bulkStress/*/bulkStress.dat"), key=start)]
+    tables = pieces("postProcessing/bulkStress/*/bulkStress.dat")
     return tables[0].names, np.vstack([t.rows for t in tables])
 
 
 def samples():
     """Rows of the bodies of all pieces of the run that are no nuclei, and their names."""
-    start = lambda f: float(f.split("/")[-2])
-    files = [f for f in glob.glob("postProcessing/bodies/*/*.dat") if "Nucleus" not in f]
-    tables = [Table(f) for f in sorted(files, key=start)]
+    tables = pieces("postProcessing/bodies/*/cells.dat") or pieces("postProcessing/bodies/*/fibres.dat")
     return tables[0].names, np.vstack([t.rows for t in tables])
 
 
