@@ -199,10 +199,6 @@ tool() { "$DEFORMABLE_BODIES_DIR/bin/python" "$DEFORMABLE_BODIES_DIR/tests/tools
 ranksLimit=1e-12
 fibresLimit=1e-11
 
-# Samples have ten digits: one unit of the last, where a number is rounded up here and down
-# there, is up to 1e-10 of 1
-samplesLimit=1.01e-10
-
 # relative <a> <b>: difference, relative to b
 relative() { awk -v a="$1" -v b="$2" 'BEGIN { d = a/b - 1; print d < 0 ? -d : d }'; }
 

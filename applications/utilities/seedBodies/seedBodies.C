@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
 
     const bodyCollection bodies(mesh, true);
     label nFiles = 0;
-    for (const bodyGroup& group : bodies.groups())
+    for (const bodyGroup& group : bodies.system().groups)
     {
         if (!group.start().atRandom) continue;
         const fileName file(runTime.constantPath() / mesh.dbDir() /

@@ -102,7 +102,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
     makeForceFlux();
 
     staggeredField force(system_.grid.box()), u(system_.grid.box());
-    if (!empty() && !withoutFluid() && !system_.solverBalances)
+    if (!empty() && !system_.withoutFluid && !system_.solverBalances)
     {
         judgeStep(phi);
     }

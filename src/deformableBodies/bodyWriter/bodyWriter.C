@@ -68,23 +68,25 @@ void Foam::bodyWriter::sample(const scalar now)
         }
     }
 
+    const int digits = max(10u, IOstream::defaultPrecision());
     for (label g = 0; Pstream::master() && g < groups_.size(); ++g)
     {
         std::string text;
-        const auto add = [&](const char* format, const auto value)
+        const auto add = [&](const scalar value)
         {
             char number[32];
-            std::snprintf(number, sizeof(number), format, value);
+            std::snprintf(number, sizeof(number), "%.*g", digits, double(value));
             text += number;
         };
         forAll(rows[g], body)
         {
             if (rows[g][body].empty()) continue; // removed body
-            add("%.10g", double(now));
-            add(" %ld", long(body));
+            add(now);
+            text += ' ' + std::to_string(body);
             for (const scalar x : rows[g][body])
             {
-                add(" %.10g", double(x));
+                text += ' ';
+                add(x);
             }
             text += '\n';
         }

@@ -60,7 +60,7 @@ Foam::fv::deformableBodiesSource::deformableBodiesSource(const word& name,
 void Foam::fv::deformableBodiesSource::addSup(fvMatrix<vector>& eqn,
                                               const label)
 {
-    if (bodies_.isBalancedBySolver() || bodies_.empty()) return;
+    if (bodies_.system().solverBalances || bodies_.empty()) return;
 
     const auto& phi = mesh_.lookupObject<surfaceScalarField>(phiName_);
     if (phi.dimensions() != dimVolume / dimTime) refuseDensity();
@@ -71,7 +71,7 @@ void Foam::fv::deformableBodiesSource::addSup(fvMatrix<vector>& eqn,
 
 void Foam::fv::deformableBodiesSource::checkApplied() const
 {
-    if (applied_[0] || bodies_.isBalancedBySolver()) return;
+    if (applied_[0] || bodies_.system().solverBalances) return;
     waitForMaster();
     FatalIOErrorInFunction(dict_)
         << "option " << name_ << ": this solver does not ask for a source of "

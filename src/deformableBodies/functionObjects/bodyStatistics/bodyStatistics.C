@@ -22,7 +22,7 @@ Foam::functionObjects::bodyStatistics::bodyStatistics(const word& name,
 {
     const groupStatistics::settings settings(readSettings(dict));
     wordList all;
-    for (const bodyGroup& group : bodies_.groups())
+    for (const bodyGroup& group : bodies_.system().groups)
     {
         all.append(group.name());
     }
@@ -31,7 +31,7 @@ Foam::functionObjects::bodyStatistics::bodyStatistics(const word& name,
     {
         const label g = all.find(group);
         if (g < 0) refuse(dict, "groups", group, oneOf(all));
-        groups_.emplace_back(bodies_.groups()[g], uniformGrid::New(mesh_),
+        groups_.emplace_back(bodies_.system().groups[g], uniformGrid::New(mesh_),
                              settings);
     }
     settings_ = textOf(settings);

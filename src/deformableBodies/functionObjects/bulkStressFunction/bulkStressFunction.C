@@ -19,7 +19,7 @@ Foam::functionObjects::bulkStressFunction::bulkStressFunction(
     : fvMeshFunctionObject(name, time, dict),
       bodies_(bodyCollection::New(mesh_))
 {
-    if (bodies_.isBalancedBySolver())
+    if (bodies_.system().solverBalances)
     {
         refuse(dict, "type", typeName,
                "entry bulkStress in constant/deformableBodies: "

@@ -44,7 +44,7 @@ Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
         refuse(dict, "flow", dict.getOrDefault<word>("flow", "x"),
                "a direction other than across");
     }
-    const label n = grid_.n()[g_], groups = bodies_.groups().size();
+    const label n = grid_.n()[g_], groups = bodies_.system().groups.size();
     u_.setSize(n, Zero);
     squares_.setSize(n, Zero);
     for (scalarField* stress : {&viscous_, &reynolds_, &ofBodies_})
@@ -162,11 +162,11 @@ bool Foam::functionObjects::phaseProfiles::execute()
         ofBodies_[j] += dt * bodies;
         if (j < n) bodies += force[j] * h / layer;
     }
-    forAll(bodies_.groups(), g)
+    forAll(bodies_.system().groups, g)
     {
         scalarField volume;
         vectorField momentum;
-        layerVolumes(bodies_.groups()[g], grid_, g_, volume, momentum);
+        layerVolumes(bodies_.system().groups[g], grid_, g_, volume, momentum);
         volume_[g] += dt * volume / layer;
         momentum_[g] += dt * momentum / layer;
     }
@@ -187,7 +187,7 @@ void Foam::functionObjects::phaseProfiles::writeFreeLayers(Ostream& os) const
     scalarField all(u_.size(), Zero);
     forAll(volume_, g)
     {
-        if (bodies_.groups()[g].host() < 0) all += volume_[g];
+        if (bodies_.system().groups[g].host() < 0) all += volume_[g];
     }
     const scalar half = 0.5 * average(all);
     const auto thickness = [&](const bool upper)
@@ -212,7 +212,7 @@ void Foam::functionObjects::phaseProfiles::writeProfiles(Ostream& os) const
     writeFreeLayers(os);
     os << "# " << vector::componentNames[g_]
        << " velocityX velocityY velocityZ rmsX rmsY rmsZ";
-    for (const bodyGroup& group : bodies_.groups())
+    for (const bodyGroup& group : bodies_.system().groups)
     {
         os << ' ' << group.name() << ' ' << group.name() << "VelocityX "
            << group.name() << "VelocityY " << group.name() << "VelocityZ";
