@@ -1,5 +1,6 @@
 """Files .dat of bodies and samples: a line of names that begins with #, then numbers."""
 import glob
+import os
 import numpy as np
 
 
@@ -120,6 +121,19 @@ def halfTurn(file):
     d = Table(file).rows
     angle = np.unwrap(2 * np.arctan2(d[:, 12], d[:, 11])) / 2
     return np.interp(2 * np.pi, -angle, d[:, 0])
+
+
+def increments(folder, nu: float):
+    """Largest relative difference of the mean square gradient that structureFunctions.dat
+    has over its first distance, a cell, from the dissipation over nu; all times."""
+    rows = np.loadtxt(folder + "/0/turbulence.dat")
+    worst = 0
+    files = glob.glob(folder + "/*/structureFunctions.dat")
+    for file in files:
+        r, longitudinal, transverse = np.loadtxt(file)[0]
+        row = rows[abs(rows[:, 0] - float(os.path.basename(os.path.dirname(file)))).argmin()]
+        worst = max(worst, abs((3 * longitudinal + 6 * transverse) / r**2 / (row[2] / nu) - 1))
+    return "%.2e" % (worst if files else np.inf)
 
 
 def kineticEnergy(file, cells: int):

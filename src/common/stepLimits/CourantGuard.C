@@ -114,10 +114,11 @@ void Foam::CourantGuard::warn(const scalar Co)
 }
 
 void Foam::CourantGuard::check(const scalar Co,
-                               const std::function<void()>& beforeStop)
+                               const std::function<void()>& beforeStop,
+                               const string& failed)
 {
     longest_ = max(longest_, phi_.time().deltaTValue());
-    const string reason(wrong(Co));
+    const string reason(failed.empty() ? wrong(Co) : failed);
     if (!reason.empty()) stop(reason, Co, beforeStop);
     keepStableStep(Co);
     warn(Co);

@@ -154,7 +154,8 @@ Foam::string Foam::stepLimits::wrong() const
     return guard_.wrong(Co_);
 }
 
-void Foam::stepLimits::judge(const std::function<void()>& beforeStop)
+void Foam::stepLimits::judge(const std::function<void()>& beforeStop,
+                             const string& failed)
 {
     const auto nameCauses = [&]()
     {
@@ -168,7 +169,7 @@ void Foam::stepLimits::judge(const std::function<void()>& beforeStop)
         }
         beforeStop();
     };
-    guard_.check(Co_, nameCauses);
+    guard_.check(Co_, nameCauses, failed);
 }
 
 void Foam::stepLimits::judgeEstimate(const word& what, const string& remedy)

@@ -34,12 +34,12 @@ Foam::string Foam::stepRetries::inParts(const std::function<string()>& step)
     return wrong;
 }
 
-bool Foam::stepRetries::advance(const actions& a)
+Foam::string Foam::stepRetries::advance(const actions& a)
 {
     if (maxRetries_ == 0)
     {
         a.step();
-        return true;
+        return string();
     }
     lastStep::division& d = last_.divided();
     const label most = 1 << maxRetries_;
@@ -50,7 +50,10 @@ bool Foam::stepRetries::advance(const actions& a)
         a.watchUnsteady(d.unjudged == 0 && d.subSteps < most);
         const string wrong(firstOf(inParts(a.step)));
         if (wrong.empty()) break;
-        if (d.subSteps >= most) return false;
+        if (d.subSteps >= most)
+        {
+            return wrong + ", also in " + Foam::name(d.subSteps) + " sub-steps";
+        }
         ++taken_;
         d.subSteps *= 2;
         d.quiet = 0;
@@ -66,7 +69,7 @@ bool Foam::stepRetries::advance(const actions& a)
         goOnUnsteady(firstOf(a.unsteady()));
     }
     recover();
-    return true;
+    return string();
 }
 
 void Foam::stepRetries::goOnUnsteady(const string& sentence)

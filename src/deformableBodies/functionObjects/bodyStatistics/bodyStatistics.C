@@ -20,6 +20,7 @@ Foam::functionObjects::bodyStatistics::bodyStatistics(const word& name,
                                                       const dictionary& dict)
     : sampledBodies(name, time, dict, typeName)
 {
+    requireBodies(dict);
     const groupStatistics::settings settings(readSettings(dict));
     wordList all;
     for (const bodyGroup& group : bodies_.system().groups)

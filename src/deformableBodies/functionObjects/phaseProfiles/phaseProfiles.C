@@ -33,6 +33,13 @@ Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
     : sampledBodies(name, time, dict, typeName),
       grid_(uniformGrid::New(mesh_))
 {
+    if (bodies_.empty())
+    {
+        const IOdictionary transport(
+            IOobject("transportProperties", mesh_.time().constant(), mesh_,
+                     IOobject::MUST_READ, IOobject::NO_WRITE, false));
+        nu_ = readPositive(transport, "nu", dimViscosity);
+    }
     g_ = readDirection(dict, "across", acrossSides(grid_));
     const shearSides sides(shearSides::of(mesh_));
     f_ = readDirection(dict, "flow",
@@ -137,11 +144,13 @@ bool Foam::functionObjects::phaseProfiles::execute()
     weight_ += dt;
     const label n = grid_.n()[g_];
     const scalar h = grid_.h()[g_], rho = bodies_.statistics().rho(),
-                 mu = bodies_.statistics().mu();
+                 mu = bodies_.empty() ? rho * nu_ : bodies_.statistics().mu();
     const layerMeans means(bodies_.statistics().layers(f_, g_));
     u_ += dt * means.u;
     squares_ += dt * means.squares;
-    const scalarField force(bodies_.statistics().forces(f_, g_));
+    const scalarField force(bodies_.empty()
+                                ? scalarField(n, Zero)
+                                : bodies_.statistics().forces(f_, g_));
     const scalar layer = grid_.volume() / n;
     const shearSides sides(shearSides::of(mesh_));
     const bool walls = !grid_.periodic(g_);
@@ -209,7 +218,7 @@ void Foam::functionObjects::phaseProfiles::writeFreeLayers(Ostream& os) const
 void Foam::functionObjects::phaseProfiles::writeProfiles(Ostream& os) const
 {
     os.precision(10);
-    writeFreeLayers(os);
+    if (!bodies_.empty()) writeFreeLayers(os);
     os << "# " << vector::componentNames[g_]
        << " velocityX velocityY velocityZ rmsX rmsY rmsZ";
     for (const bodyGroup& group : bodies_.system().groups)

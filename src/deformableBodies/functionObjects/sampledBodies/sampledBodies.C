@@ -14,11 +14,6 @@ Foam::functionObjects::sampledBodies::sampledBodies(const word& name,
       last_(max(time.value(), dict.getOrDefault<scalar>("timeStart", -GREAT)))
 {
     uniformGrid::New(mesh_).require(dict, type);
-    if (bodies_.empty())
-    {
-        refuse(dict, "type", type,
-               "cases with constant/deformableBodies: there are no bodies");
-    }
     if (mesh_.foundObject<regIOobject>(name))
     {
         refuse(dict.parent(), name, type,
@@ -31,6 +26,14 @@ Foam::functionObjects::sampledBodies::sampledBodies(const word& name,
         refuse(dict, "timeStart", Foam::name(start),
                "times before endTime, " + Foam::name(end));
     }
+}
+
+void Foam::functionObjects::sampledBodies::requireBodies(
+    const dictionary& dict) const
+{
+    if (!bodies_.empty()) return;
+    refuse(dict, "type", dict.get<word>("type"),
+           "cases with constant/deformableBodies: there are no bodies");
 }
 
 void Foam::functionObjects::sampledBodies::keepState(const dictionary& dict)

@@ -56,7 +56,8 @@ Foam::functionObjects::energySpectrum::energySpectrum(const word& name,
     if (Pstream::master())
     {
         file() << "# time kineticEnergy dissipation rms taylorLength ReLambda "
-               << "integralLength kolmogorovLength" << endl;
+               << "integralLength kolmogorovLength turnoverTime skewness"
+               << endl;
     }
 }
 
@@ -93,6 +94,14 @@ void Foam::functionObjects::energySpectrum::sumShells()
     energy_.setSize(
         label(constant::mathematical::pi * mag(largest) / dk_ + 0.5) + 1);
     energy_ = 0;
+    for (direction d = 0; d < 3; ++d)
+    {
+        along_[d].setSize(grid_.n()[d] / 2 + 1);
+        along_[d] = Zero;
+    }
+    const auto add = [&](const direction d, const label mode,
+                         const direction component, const scalar e)
+    { along_[d][min(mode, grid_.n()[d] - mode)][component] += e; };
     scalar total = 0, gradient2 = 0;
     for (direction d = 0; d < 3; ++d)
     {
@@ -114,20 +123,70 @@ void Foam::functionObjects::energySpectrum::sumShells()
                     gradient2 += 2 * e *
                                  (third.modified2[k] + slow.modified2[j] +
                                   fast.modified2[i]);
+                    add(t.fast, i, d, e);
+                    add(t.slow, j, d, e);
+                    add(t.third, k, d, e);
                 }
                 row += t.rowLength;
             }
         }
     }
     reduce(energy_, sumOp<scalarField>());
+    for (direction d = 0; d < 3; ++d)
+    {
+        reduce(along_[d], sumOp<vectorField>());
+    }
     gradient2_ = returnReduce(gradient2, sumOp<scalar>());
     total_ = returnReduce(total, sumOp<scalar>());
+}
+
+Foam::scalar Foam::functionObjects::energySpectrum::skewness() const
+{
+    const auto& phi = lookupObject<surfaceScalarField>(phiName_);
+    // du/dx, dv/dy, dw/dz of each cell, times its volume
+    vectorField gradient(mesh_.nCells(), Zero);
+    const auto component = [](const vector& area)
+    {
+        return direction(mag(area.x()) > 0.5 * mag(area)   ? 0
+                         : mag(area.y()) > 0.5 * mag(area) ? 1
+                                                           : 2);
+    };
+    forAll(mesh_.owner(), face)
+    {
+        const direction d = component(mesh_.Sf()[face]);
+        gradient[mesh_.owner()[face]][d] += phi[face];
+        gradient[mesh_.neighbour()[face]][d] -= phi[face];
+    }
+    forAll(phi.boundaryField(), patch)
+    {
+        const fvsPatchScalarField& flux = phi.boundaryField()[patch];
+        forAll(flux, i)
+        {
+            const direction d =
+                component(mesh_.Sf().boundaryField()[patch][i]);
+            gradient[mesh_.boundary()[patch].faceCells()[i]][d] += flux[i];
+        }
+    }
+    scalar sum2 = 0, sum3 = 0;
+    for (const vector& g : gradient)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            sum2 += sqr(g[d]);
+            sum3 += pow3(g[d]);
+        }
+    }
+    reduce(sum2, sumOp<scalar>());
+    reduce(sum3, sumOp<scalar>());
+    const scalar n = 3 * scalar(mesh_.globalData().nTotalCells());
+    return sum3 / n / (Foam::pow(sum2 / n, 1.5) + VSMALL);
 }
 
 bool Foam::functionObjects::energySpectrum::execute()
 {
     lastIndex_ = time_.timeIndex();
     sumShells();
+    const scalar skewed = skewness();
     if (!Pstream::master()) return true;
 
     const scalar dissipation = nu_ * gradient2_;
@@ -138,11 +197,32 @@ bool Foam::functionObjects::energySpectrum::execute()
         inverseK += energy_[s] / (s * dk_);
     }
     const scalar lambda = rms * Foam::sqrt(15 * nu_ / (dissipation + VSMALL));
+    const scalar integral =
+        0.75 * constant::mathematical::pi * inverseK / (total_ + VSMALL);
     file() << time_.value() << tab << total_ << tab << dissipation << tab << rms
-           << tab << lambda << tab << rms * lambda / nu_ << tab
-           << 0.75 * constant::mathematical::pi * inverseK / (total_ + VSMALL)
-           << tab << Foam::pow025(pow3(nu_) / (dissipation + VSMALL)) << endl;
+           << tab << lambda << tab << rms * lambda / nu_ << tab << integral
+           << tab << Foam::pow025(pow3(nu_) / (dissipation + VSMALL)) << tab
+           << integral / (rms + VSMALL) << tab << skewed << endl;
     return true;
+}
+
+Foam::FixedList<Foam::scalar, 2>
+Foam::functionObjects::energySpectrum::structureFunctions(const scalar r) const
+{
+    scalar longitudinal = 0, transverse = 0;
+    for (direction d = 0; d < 3; ++d)
+    {
+        forAll(along_[d], m)
+        {
+            const scalar apart =
+                1 - Foam::cos(constant::mathematical::twoPi * m * r /
+                              grid_.length()[d]);
+            const vector& e = along_[d][m];
+            longitudinal += 4 * apart * e[d] / 3;
+            transverse += 4 * apart * (cmptSum(e) - e[d]) / 6;
+        }
+    }
+    return {longitudinal, transverse};
 }
 
 bool Foam::functionObjects::energySpectrum::write()
@@ -162,6 +242,15 @@ bool Foam::functionObjects::energySpectrum::write()
     for (label s = 1; s <= last; ++s)
     {
         os << s * dk_ << ' ' << energy_[s] / dk_ << endl;
+    }
+
+    OFstream increments(dir / "structureFunctions.dat");
+    increments << "# r longitudinal transverse" << endl;
+    const scalar h = cmptMin(grid_.h());
+    for (label i = 1; 2 * i * h <= cmptMin(grid_.length()) * (1 + SMALL); ++i)
+    {
+        const FixedList<scalar, 2> S(structureFunctions(i * h));
+        increments << i * h << ' ' << S[0] << ' ' << S[1] << endl;
     }
     return true;
 }
