@@ -123,6 +123,15 @@ def halfTurn(file):
     return np.interp(2 * np.pi, -angle, d[:, 0])
 
 
+def capsuleStress(file, time: float, side: float):
+    """Shear stress, N1 and N2 of the group cells at a time, over mu times the rate and the share
+    of a capsule of radius 1 in the cubic box of a side."""
+    table = Table(file)
+    row = abs(table["time"] - time).argmin()
+    part = lambda axes: table["cells" + axes][row] * side**3 / (4 * np.pi / 3)
+    return "%.5f %.5f %.5f" % (part("XY"), part("XX") - part("YY"), part("YY") - part("ZZ"))
+
+
 def increments(folder, nu: float):
     """Largest relative difference of the mean square gradient that structureFunctions.dat
     has over its first distance, a cell, from the dissipation over nu; all times."""

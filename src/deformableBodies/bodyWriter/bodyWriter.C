@@ -72,7 +72,7 @@ void Foam::bodyWriter::sample(const scalar now)
     for (label g = 0; Pstream::master() && g < groups_.size(); ++g)
     {
         std::string text;
-        const auto add = [&](const scalar value)
+        const auto add = [&](const scalar value, const int digits)
         {
             char number[32];
             std::snprintf(number, sizeof(number), "%.*g", digits, double(value));
@@ -81,12 +81,12 @@ void Foam::bodyWriter::sample(const scalar now)
         forAll(rows[g], body)
         {
             if (rows[g][body].empty()) continue; // removed body
-            add(now);
+            add(now, 10);
             text += ' ' + std::to_string(body);
             for (const scalar x : rows[g][body])
             {
                 text += ' ';
-                add(x);
+                add(x, digits);
             }
             text += '\n';
         }

@@ -82,20 +82,26 @@ class stokesCapsule
         B = 3 * P - L;
     }
 
-    //- Coefficients of the velocity of a shape
-    numbers velocity(const numbers& x) const
+    //- Coefficients of the load on the membrane of a shape
+    numbers loadOf(const numbers& x) const
     {
-        const int n = grid_.nPoints();
-        numbers load(x.size()), X(3 * n), F(3 * n), U(3 * n), u(x.size()),
-            about(x);
+        numbers load(x.size()), about(x);
         for (int c = 0; c < 3; ++c)
         {
             about[c] = 0;
         }
         membrane_.load(about.data(), load.data());
         if (bending_) bending_->addLoad(about.data(), load.data());
+        return load;
+    }
+
+    //- Coefficients of the velocity of a shape
+    numbers velocity(const numbers& x) const
+    {
+        const int n = grid_.nPoints();
+        numbers X(3 * n), F(3 * n), U(3 * n), u(x.size());
         grid_.values(x.data(), X.data());
-        grid_.values(load.data(), F.data());
+        grid_.values(loadOf(x).data(), F.data());
         vectorField place(n), force(n), sum(n);
         double self, none;
         mobility(0, self, none);
@@ -189,6 +195,27 @@ public:
 
     double rough() const { return ::rough(x_, grid_); }
 
+    //- Stress that the membrane adds to that of the fluid, over mu and its share of the
+    //  volume: - sum F X/(V mu), F the force on the fluid
+    tensor stress() const
+    {
+        const int n = grid_.nPoints();
+        numbers X(3 * n), F(3 * n), t(3 * n), p(3 * n);
+        grid_.values(x_.data(), X.data());
+        grid_.values(loadOf(x_).data(), F.data());
+        grid_.gradient(x_.data(), t.data(), p.data());
+        tensor sum(Zero);
+        double volume = 0;
+        for (int k = 0; k < n; ++k)
+        {
+            const vector x(at(X, n, k));
+            sum += grid_.weight(k) * vector(at(F, n, k)) * x;
+            volume += grid_.weight(k) / 3 *
+                      (x & (vector(at(t, n, k)) ^ at(p, n, k)));
+        }
+        return sum / (volume * mu_);
+    }
+
     //- Smallest distance of points of two capsules
     double gap() const
     {
@@ -260,11 +287,14 @@ TEST(StokesCapsule, DISABLED_run)
         vector centre;
         const auto axes = capsule.axes(centre);
         const vector& a = axes.first;
+        const tensor stress(capsule.stress());
         std::printf("    t %6.3f  D %.5f  inclination %.2f  axes %.5f %.5f "
-                    "%.5f  centre %.5f %.5f  gap %.4f  rough %.6f\n",
+                    "%.5f  centre %.5f %.5f  gap %.4f  stress %.5f %.5f %.5f  "
+                    "rough %.6f\n",
                     time, (a.x() - a.z()) / (a.x() + a.z()), axes.second, a.x(),
                     a.y(), a.z(), centre.x(), centre.y(), capsule.gap(),
-                    capsule.rough());
+                    stress.xy(), stress.xx() - stress.yy(),
+                    stress.yy() - stress.zz(), capsule.rough());
         std::fflush(stdout);
         ASSERT_TRUE(std::isfinite(a.x()));
     }
