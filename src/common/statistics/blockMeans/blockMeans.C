@@ -73,7 +73,7 @@ Foam::label Foam::blockMeans::afterTransient(const label value) const
 Foam::blockMeans::mean Foam::blockMeans::of(const label value,
                                             const label first) const
 {
-    scalar weight = 0, sum = 0;
+    scalar weight = open_.weight, sum = open_.sums[value];
     for (label b = first; b < nBlocks(); ++b)
     {
         weight += blocks_[b].weight;
