@@ -185,11 +185,11 @@ def troubles(run, reference, cell):
     return found
 
 
-def isClear(run):
+def isClear(run, groups):
     """A stop, or the line before on limits that were exceeded, names the group of the body,
     or without bodies the cell, and says what to do."""
     text = " ".join([run.error, *re.findall(r"deltaT \S+ is above the limit of .*", run.text)])
-    places = [r"\b%s\b" % group for group in run.tables] or ["cell at"]
+    places = [r"\b%s\b" % group for group in groups] or ["cell at"]
     remedy = re.search(r"deltaT|[Rr]educe|[Uu]se |start again|smaller|larger|write ", text)
     return bool(remedy and any(re.search(place, text) for place in places))
 
@@ -199,7 +199,7 @@ def judge(name, folder, modes, end: float, cell: float, *health):
     its limit, steps, seconds, retries, quantity, value, value of the reference, error,
     verdict, fails (0 or 1), reason. health: triples of quantity, bound, scale (0: the
     largest value). The bound holds at the fixed step and grows in proportion with deltaT,
-    up to a quarter."""
+    up to a quarter, and is at least the error of the step that the log states."""
     reference = Run(folder + "/reference")
     with open(folder + "/fixed.dt") as f:
         fixed = float(f.read())
@@ -212,7 +212,7 @@ def judge(name, folder, modes, end: float, cell: float, *health):
             row.update(verdict="unfinished", why="at time %g" % (run.steps[-1][0] if run.steps else 0))
         elif not run.ended:
             row["why"] = run.error or " ".join(run.text[-200:].split())
-            row["verdict"] = "broken" if not run.error else "stopped" if isClear(run) else "unclear"
+            row["verdict"] = "broken" if not run.error else "stopped" if isClear(run, run.tables or reference.tables) else "unclear"
         elif bad:
             row.update(verdict="noReference", why=bad[0])
         else:
@@ -232,10 +232,11 @@ def compared(run, reference, fixed, cell, health):
     """The quantity that is furthest beyond its bound, verdict and reason."""
     wrong = troubles(run, reference, cell)
     growth = max(1, run.largestStep() / fixed)
+    stated = max([float(x) / 100 for x in re.findall(r"\bstep ([\d.e-]+) %", run.text)], default=0)
     row, excess = {}, -1
     for name, bound, scale in zip(*(health[i::3] for i in range(3))):
         error, value, right = apart(run, reference, name, float(scale))
-        allowed = min(float(bound) * growth, max(0.25, float(bound)))
+        allowed = max(min(float(bound) * growth, max(0.25, float(bound))), stated)
         if not error <= allowed:
             wrong.append("%s %.3g apart, bound %.2g" % (name, error, allowed))
         if not error / allowed <= excess:

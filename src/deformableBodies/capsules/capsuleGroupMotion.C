@@ -28,6 +28,24 @@ void keepVolume(const capsule& c, const scalar volume, const scalar dt,
     }
 }
 
+//- Move a shape along the gradient g of its volume, so that it encloses `volume`, if more than
+//  1e-4 of it is lacking: the first large step
+bool restoreVolume(const numbers& g, const scalar volume, numbers& x)
+{
+    double now = 0, gg = 0;
+    for (size_t j = 0; j < g.size(); ++j)
+    {
+        now += g[j] * x[j] / 3;
+        gg += g[j] * g[j];
+    }
+    if (!(mag(volume - now) > 1e-4 * volume)) return false;
+    for (size_t j = 0; j < g.size(); ++j)
+    {
+        x[j] += (volume - now) / gg * g[j];
+    }
+    return true;
+}
+
 //- Coefficients of the shape after dt, by Adams-Bashforth 2: x + dt ((1 + r/2) v - r/2 v_last).
 //  v: velocity; r: dt over the last step. False if some are not finite
 bool extrapolate(const capsule& c, const numbers& v, const scalar dt,
@@ -88,15 +106,23 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
 
         // The last good state stays in place where the new one is none. What is
         // checked has the derivatives on the grid
-        const string wrong(finite ? shell_->check(next)
-                                  : string("marker velocity is not finite"));
+        string wrong(finite ? shell_->check(next)
+                            : string("marker velocity is not finite"));
+        if (wrong.empty())
+        {
+            shell_->volumeGradientLast(c.volumeGradient);
+            if (restoreVolume(c.volumeGradient, referenceVolume_, next))
+            {
+                wrong = shell_->check(next);
+                shell_->volumeGradientLast(c.volumeGradient);
+            }
+        }
         if (!wrong.empty())
         {
             trouble = nameOfBody(mine()[i]) + ": " + wrong;
             startAt(c);
             continue;
         }
-        shell_->volumeGradientLast(c.volumeGradient);
         motion_->beforeMove(c, dt, r);
         const scalar displacement = moveTo(c, next);
         if (twoWay()) motion_->setLoad(c);

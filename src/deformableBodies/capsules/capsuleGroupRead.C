@@ -133,7 +133,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     motion_ = capsuleMotion::New(dict,
                                  {*shell_, harmonics(), radius_,
                                   0.5 * (1 + viscosityRatio_) * scene_.mu,
-                                  scene_.rho, scene_.effects},
+                                  scene_.rho, scene_.effects, viscosityRatio_},
                                  scene_, nearField_.get());
     filter_ = readFilter(dict, harmonics());
     warnOfHarmonics(dict, degree, moved);

@@ -51,8 +51,12 @@ Foam::stabilisedMotion::waves::waves(const setting& s)
       start_(rate_)
 {
     const membraneModel& law = s.shell.model();
-    const scalar tension = max(0.25 * (law.shearModulus() + law.areaModulus()),
-                               0.5 * (law.areaModulus() - law.shearModulus()));
+    const scalar shear = law.shearModulus(), area = law.areaModulus(),
+                 outside = 2 * s.mu / (1 + s.viscosityRatio);
+    const bool stiffArea = area > 4 * shear;
+    const scalar tension =
+        max(0.25 * (shear + area),
+            0.5 * (area - shear) * (stiffArea ? s.mu / outside : 1));
     for (int n = 1; n <= s.harmonics.degree(); ++n)
     {
         const scalar bend = n * (n + 3) / s.radius;
