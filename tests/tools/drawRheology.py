@@ -1,47 +1,60 @@
-"""Figure of the study of suspensions: drawRheology.py table.csv picture.png"""
+"""Figure of the study of suspensions: drawRheology.py table.csv picture.png
+
+A row of panels for each Reynolds number of capsules and of fibres; a column for each quantity."""
 import csv
 import re
 import sys
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+import numpy as np
+
+quantities = (("viscosity", "error", "relative viscosity"), ("N1", "N1error", r"$N_1/(\mu\dot\gamma)$"),
+              ("N2", "N2error", r"$N_2/(\mu\dot\gamma)$"), ("D", None, "mean D"))
 
 
-def of(row, *names):
-    return [float(row[n]) for n in names]
+def number(pattern, row):
+    return float(re.search(pattern, row["point"])[1])
+
+
+def lines(rows, key, x):
+    """Rows of each key, in the order of x."""
+    for value in sorted({key(r) for r in rows}):
+        yield value, sorted((r for r in rows if key(r) == value), key=x)
+
+
+def draw(panels, rows, key, x, look):
+    """A line for each key in each panel."""
+    for value, line in lines(rows, key, x):
+        for panel, (y, error, _) in zip(panels, quantities):
+            bars = [max(float(r[error]), 0) for r in line] if error else None
+            panel.errorbar([x(r) for r in line], [float(r[y]) for r in line], bars, ms=4, capsize=2, lw=1.2,
+                           **look(value))
 
 
 rows = list(csv.DictReader(open(sys.argv[1])))
-capsules, fibres = [], []
-for r in rows:
-    name = r["point"]
-    Re = re.search(r"Re(0\.1|10|1)\.", name)[1]
-    if name.startswith("capsules"):
-        capsules.append((Re, "rigid" in name, float(re.search(r"Ca(\d+\.\d)", name)[1]), r))
+kinds = [(kind, Re, [r for r in rows if r["point"].startswith("%s.Re%s." % (kind, Re))])
+         for kind in ("capsules", "fibres") for Re in ("0.1", "1", "10")]
+kinds = [k for k in kinds if k[2]]
+figure, axes = plt.subplots(len(kinds), 4, figsize=(14, 3.4 * len(kinds) + 0.4), squeeze=False, constrained_layout=True)
+for panels, (kind, Re, some) in zip(axes, kinds):
+    shades = lambda values: dict(zip(values, plt.cm.viridis(np.linspace(0, 0.85, len(values)))))
+    if kind == "capsules":
+        Ca = lambda r: number(r"Ca(\d+\.\d)", r)
+        colour = shades(sorted({Ca(r) for r in some}))
+        draw(panels, some, lambda r: (Ca(r), "rigid" in r["point"]), lambda r: float(r["fraction"]),
+             lambda v: {"color": colour[v[0]], "fmt": "s--" if v[1] else "o-",
+                        "label": "Ca %g" % v[0] + (", rigid nuclei" if v[1] else "")})
     else:
-        fibres.append((Re, float(r["fraction"]), float(name.split("B")[1]), r))
-figure, axes = plt.subplots(2, 3, figsize=(13, 7.4), constrained_layout=True)
-columns = (("viscosity", "error", "relative viscosity"), ("N1", "N1error", "N1/(mu rate)"), ("N2", "N2error", "N2/(mu rate)"))
-for axis, (value, error, text) in zip(axes[0], columns):
-    for Re in sorted({c[0] for c in capsules}, key=float):
-        for nucleus in (False, True):
-            for Ca in sorted({c[2] for c in capsules}):
-                line = sorted(of(r, "fraction", value, error) for a, b, c, r in capsules if (a, b, c) == (Re, nucleus, Ca))
-                if line:
-                    x, y, e = zip(*line)
-                    axis.errorbar(x, y, [max(v, 0) for v in e], fmt="s--" if nucleus else "o-", ms=4, capsize=2, lw=1,
-                                  label=f"Re {Re}, Ca {Ca:g}" + (", rigid nuclei" if nucleus else ""))
-    axis.set(xlabel="volume fraction of capsules", ylabel=text)
-for axis, (value, error, text) in zip(axes[1], columns):
-    for Re in sorted({f[0] for f in fibres}, key=float):
-        for nL3 in sorted({f[1] for f in fibres}):
-            line = sorted([B, *of(r, value, error)] for a, n, B, r in fibres if (a, n) == (Re, nL3))
-            if line:
-                x, y, e = zip(*line)
-                axis.errorbar(x, y, [max(v, 0) for v in e], fmt="o-", ms=4, capsize=2, lw=1, label=f"Re {Re}, n L^3 {nL3:g}")
-    axis.set(xlabel="B/(mu rate L^4) of fibres", ylabel=text, xscale="log")
-for axis in axes.flat:
-    axis.grid(alpha=0.3)
-    if axis.get_legend_handles_labels()[0]:
-        axis.legend(fontsize=7)
-figure.savefig(sys.argv[2], dpi=110)
+        colour = shades(sorted({float(r["fraction"]) for r in some}))
+        draw(panels, some, lambda r: float(r["fraction"]), lambda r: number(r"B(.*)$", r),
+             lambda v: {"color": colour[v], "fmt": "o-", "label": r"$nL^3$ = %g" % v})
+    for panel, (_, _, text) in zip(panels, quantities):
+        panel.set(xlabel="volume fraction" if kind == "capsules" else r"$B/(\mu\dot\gamma L^4)$",
+                  ylabel="end to end" if kind == "fibres" and text == "mean D" else text)
+        if kind == "fibres":
+            panel.set_xscale("log")
+        panel.grid(alpha=0.3)
+    panels[0].set_title("%s, Re %s" % (kind, Re), loc="left")
+    panels[0].legend(fontsize=7)
+figure.savefig(sys.argv[2], dpi=100)

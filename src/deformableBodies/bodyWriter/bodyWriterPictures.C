@@ -136,7 +136,11 @@ Foam::bodySurface Foam::bodyWriter::surface(const bodyGroup& group,
     bodySurface s(group.report().surface(i));
     if (!wrapInto_) return s;
     const vector L(wrapInto_->length());
-    const vector position(group.centre(i) - wrapInto_->origin());
+    // A nucleus stays in its capsule, which is on this rank
+    const bodyGroup& whole = group.host() < 0 ? group : groups_[group.host()];
+    const label k =
+        group.host() < 0 ? i : whole.mine().find(group.mine()[i]);
+    const vector position(whole.centre(k) - wrapInto_->origin());
     for (direction d = 0; d < 3; ++d)
     {
         if (!wrapInto_->periodic(d)) continue;

@@ -42,6 +42,25 @@ Foam::string Foam::filamentReport::describe(const flowScales& flow) const
     return os.str();
 }
 
+// Step of filaments without fluid that swing in gravity: largest error of the tip over a
+// few swings, measured on a pendulum, a chain and a cantilever (tests/stability, fibresAlone).
+// rate: root of g/L [1/s]
+Foam::expectedError Foam::filamentReport::ofSwing(const scalar rate) const
+{
+    const scalar dt = group_.scene_.deltaT;
+    const auto error = [=](const scalar step) { return 2.3 * rate * step; };
+    const auto largest = [=](const scalar wanted)
+    { return wanted / (2.3 * rate); };
+    const bool fixed = dt > 0 && dt < GREAT;
+    return {"step",
+            fixed ? error(dt) : -1,
+            fixed ? "of swings; deltaT sqrt(g/L) is " + Foam::name(rate * dt)
+                  : string("deltaT is adjusted"),
+            nullptr,
+            largest,
+            error};
+}
+
 // Measured on cantilevers, chains and swings, and by the drag of straight ones
 // (doc/validation.md)
 Foam::expectedErrors Foam::filamentReport::errors(const flowScales& flow) const
@@ -61,6 +80,11 @@ Foam::expectedErrors Foam::filamentReport::errors(const flowScales& flow) const
                                     group_.scene_.deltaT, group_.h_,
                                     group_.scene_.duration,
                                     group_.nBodies() > 1 ? flow.rate : 0));
+    }
+    else if (group_.alone() && mag(group_.scene_.g) > 0)
+    {
+        e.parts.push_back(ofSwing(std::sqrt(mag(group_.scene_.g) /
+                                            group_.properties_.length)));
     }
     return e;
 }
