@@ -21,7 +21,7 @@ Foam::scalar ofStep(const Foam::scalar step)
     return 6 * Foam::sqr(step);
 }
 
-// The same of stabilised motion where the area is far stiffer than the shear: the shape
+// Its factor for stabilised motion where the area is far stiffer than the shear: the shape
 // follows late. Measured at C = 500
 Foam::scalar ofStiffArea(const Foam::scalar areaOverShear)
 {
