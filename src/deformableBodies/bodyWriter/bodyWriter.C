@@ -72,10 +72,10 @@ void Foam::bodyWriter::sample(const scalar now)
     for (label g = 0; Pstream::master() && g < groups_.size(); ++g)
     {
         std::string text;
-        const auto add = [&](const scalar value, const int digits)
+        const auto add = [&](const scalar value, const int precision)
         {
             char number[32];
-            std::snprintf(number, sizeof(number), "%.*g", digits, double(value));
+            std::snprintf(number, sizeof(number), "%.*g", precision, double(value));
             text += number;
         };
         forAll(rows[g], body)
