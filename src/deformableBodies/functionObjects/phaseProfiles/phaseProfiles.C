@@ -4,6 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
+#include "fluidViscosity.H"
 #include "layerVolumes.H"
 
 namespace Foam
@@ -38,7 +39,7 @@ Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
         const IOdictionary transport(
             IOobject("transportProperties", mesh_.time().constant(), mesh_,
                      IOobject::MUST_READ, IOobject::NO_WRITE, false));
-        nu_ = readPositive(transport, "nu", dimViscosity);
+        nu_ = fluidViscosity(mesh_, transport, dictionary::null).value();
     }
     g_ = readDirection(dict, "across", acrossSides(grid_));
     const shearSides sides(shearSides::of(mesh_));
