@@ -126,14 +126,12 @@ void Foam::bodyReader::readNeighbourField(const bodyScene& scene)
                "off, as no group has a near field (see its row in the table of "
                "effects)");
     }
-    const bool images = system_.grid.periodic(0) || system_.grid.periodic(1) ||
-                        system_.grid.periodic(2);
-    const bool between = wanted && nBodies > 0 && (nBodies > 1 || images);
+    const bool between = wanted && nBodies > 0;
     system_.effects.declare(
         "neighbourField", between || nuclei,
-        between  ? "near field between bodies closer than 6 cells"
+        between  ? "near field between bodies, and with walls, closer than 6 cells"
         : nuclei ? "of nuclei only: entry neighbourField off"
-        : wanted ? "no two surfaces with a near field"
+        : wanted ? "no surface with a near field"
                  : "entry neighbourField off");
     if (between || nuclei)
     {

@@ -17,6 +17,7 @@ Foam::neighbourField::neighbourField(PtrList<bodyGroup>& groups,
       nucleiOnly_(nucleiOnly),
       neighbours_(scene.grid),
       copies_(neighbours_),
+      walls_(wallSides(scene.grid)),
       spacing_(groups.size(), Zero)
 {
     forAll(groups, g)
@@ -135,10 +136,46 @@ void Foam::neighbourField::collect(const std::vector<bodyHere>& mine)
               { return a.number < b.number; });
 }
 
+void Foam::neighbourField::mirror()
+{
+    const label n = here_.size();
+    for (direction d = 0; d < 3; ++d)
+    {
+        for (label side = 0; side < 2; ++side)
+        {
+            if (!walls_[d][side]) continue;
+            const scalar at = grid_.origin()[d] + side * grid_.length()[d];
+            for (label k = 0; k < n; ++k)
+            {
+                if (mag(here_[k].centre[d] - at) > reach()) continue;
+                if (!image_)
+                {
+                    image_.reset(new wallImage(kernel_, grid_.h().x(), mu_));
+                }
+                bodyHere b(here_[k]);
+                b.mine = false;
+                b.wall = d;
+                b.wallAt = at;
+                b.centre[d] = 2 * at - b.centre[d];
+                for (vector& x : b.X)
+                {
+                    x[d] = 2 * at - x[d];
+                }
+                for (vector& F : b.F)
+                {
+                    F[d] *= -1;
+                }
+                here_.push_back(std::move(b));
+            }
+        }
+    }
+}
+
 void Foam::neighbourField::update()
 {
     const std::vector<bodyHere> mine(own());
     collect(mine);
+    if (!nucleiOnly_) mirror();
     findPairs();
     for (const pair& p : pairs_)
     {
@@ -157,7 +194,7 @@ void Foam::neighbourField::update()
     std::map<label, bodyHere*> byNumber;
     for (bodyHere& b : here_)
     {
-        byNumber[b.number] = &b;
+        if (b.wall < 0) byNumber[b.number] = &b;
     }
     forAll(groups_, g)
     {

@@ -60,24 +60,30 @@ Foam::scalar Foam::neighbourField::reach() const
 
 bool Foam::neighbourField::isPartner(const bodyHere& a, const bodyHere& b) const
 {
-    return numbers_.body(a.number) == numbers_.body(b.number) &&
+    return b.wall < 0 && numbers_.body(a.number) == numbers_.body(b.number) &&
            (groups_[a.group].host() == b.group ||
             groups_[b.group].host() == a.group);
+}
+
+Foam::scalar Foam::neighbourField::stretch(const bodyHere& a,
+                                           const bodyHere& b)
+{
+    return b.wall >= 0 && a.number == b.number ? 2 : 1;
 }
 
 Foam::scalar Foam::neighbourField::gap(const bodyHere& a, const bodyHere& b,
                                        const vector& shift) const
 {
-    const scalar h = grid_.h().x();
+    const scalar h = grid_.h().x(), far = stretch(a, b) * farGap;
     const vector r(b.centre + shift - a.centre);
     const scalar apart = mag(r), ofSpheres = (apart - a.radius - b.radius) / h;
-    if (ofSpheres > farGap || apart < SMALL * h) return ofSpheres;
+    if (ofSpheres > far || apart < SMALL * h) return ofSpheres;
 
     // Planes across the line of the centres, then across that of the points that these
     // touch, and once more
     scalar largest = -GREAT;
     vector e(r / apart);
-    for (label i = 0; i < 3 && largest < farGap * h; ++i)
+    for (label i = 0; i < 3 && largest < far * h; ++i)
     {
         const vector between(furthest(b.X, -e) + shift - furthest(a.X, e));
         largest = max(largest, between & e);
@@ -91,11 +97,13 @@ void Foam::neighbourField::findPairs()
 {
     pairs_.clear();
     const label n = here_.size();
-    for (label a = 0; a < n; ++a)
+    for (label a = 0; a < n && here_[a].wall < 0; ++a)
     {
-        for (label b = a; b < n; ++b)
+        for (label b = 0; b < n; ++b)
         {
-            if (here_[a].mine || here_[b].mine) findPairs(a, b);
+            const bool mirrored = here_[b].wall >= 0;
+            if (!mirrored && b < a) continue;
+            if (here_[a].mine || (!mirrored && here_[b].mine)) findPairs(a, b);
         }
     }
 }
@@ -106,7 +114,8 @@ void Foam::neighbourField::findPairs(const label a, const label b)
     if (first.X.empty() || second.X.empty()) return;
     const vector L(grid_.length());
     const vector nearest(nearestImage(grid_, second.centre, first.centre));
-    const scalar reach = first.radius + second.radius + farGap * grid_.h().x();
+    const scalar far = stretch(first, second) * farGap;
+    const scalar reach = first.radius + second.radius + far * grid_.h().x();
     for (label image = 0; image < 27; ++image)
     {
         const labelVector at(image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1);
@@ -126,7 +135,7 @@ void Foam::neighbourField::findPairs(const label a, const label b)
                    mag(r) < max(first.radius, second.radius)};
         if (nucleiOnly_ && !p.inside) continue;
         p.gap = p.inside ? 0 : gap(first, second, p.shift);
-        if (p.gap < farGap) pairs_.push_back(p);
+        if (p.gap < far) pairs_.push_back(p);
     }
 }
 
@@ -180,22 +189,29 @@ void Foam::neighbourField::add(const pair& p, const level l,
                              : nearField::pointSet(x.X, x.F);
     }
     bodyHere &a = here_[p.a], &b = here_[p.b];
+    std::vector<vector> u, v;
+    const vector apart(b.points[l].origin + p.shift - a.points[l].origin);
+    if (b.wall >= 0)
+    {
+        image_->velocity(a.points[l], b.points[l], apart, b.wall,
+                         a.points[l].origin[b.wall] - b.wallAt, u);
+        addTo(a.u[l], u, weight);
+        return;
+    }
     if (p.inside)
     {
         const bodyHere& host = groups_[a.group].host() == b.group ? b : a;
         mu *= groups_[host.group].inside()->viscosityRatio();
     }
-    std::vector<vector> u, v;
-    sumFor(spacing, mu)
-        .exchange(a.points[l], b.points[l],
-                  b.points[l].origin + p.shift - a.points[l].origin, u, v);
+    sumFor(spacing, mu).exchange(a.points[l], b.points[l], apart, u, v);
     addTo(a.u[l], u, weight);
     addTo(b.u[l], v, weight);
 }
 
 void Foam::neighbourField::add(const pair& p)
 {
-    const scalar weight = p.inside ? 1 : fade(p.gap, nearGap, farGap);
+    const scalar gap = p.gap / stretch(here_[p.a], here_[p.b]);
+    const scalar weight = p.inside ? 1 : fade(gap, nearGap, farGap);
     const scalar close = p.inside ? 1 : fade(p.gap, closeGap, apartGap);
     if (close > 0) add(p, CLOSE, weight * close);
     if (close < 1) add(p, FAR, weight * (1 - close));

@@ -1,0 +1,138 @@
+// This file is part of deformableBodies. License: GPL-3.0-or-later.
+
+// Sums over the points of bodies at walls
+
+#include "wallImage.H"
+#include "mathematicalConstants.H"
+#include "wallImageTable.H"
+
+// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include <Eigen/Core>
+
+namespace
+{
+using namespace Foam::wallTable;
+using values = Eigen::Array<float, 8, 1>;
+
+//- Linear interpolation: the entry below, and the share of the one above
+struct between
+{
+    int i;
+    float share;
+
+    between(const float place, const int n)
+        : i(std::min(std::max(int(place), 0), n - 2)),
+          share(std::min(std::max(place - i, 0.f), 1.f))
+    {
+    }
+};
+
+//- Parts of K |R|^3
+inline values interpolated(const float* table, const between& z,
+                           const between& H, const between& r)
+{
+    values sum = values::Zero();
+    for (int c = 0; c < 4; ++c)
+    {
+        const int a = c & 1, b = c >> 1;
+        const float weight = (a ? z.share : 1 - z.share) *
+                             (b ? H.share : 1 - H.share);
+        const float* entry =
+            table + 8 * (((z.i + a) * nHeights + H.i + b) * nRatios + r.i);
+        sum += weight * ((1 - r.share) * Eigen::Map<const values>(entry) +
+                         r.share * Eigen::Map<const values>(entry + 8));
+    }
+    return sum;
+}
+} // namespace
+
+Foam::wallImage::wallImage(const deltaKernel::kernelType kernel, const scalar h,
+                           const scalar mu)
+    : h_(h),
+      mu_(mu)
+{
+    fill(deltaKernel(kernel));
+}
+
+float Foam::wallImage::place(const scalar height)
+{
+    return std::log(max(height, lowest) / lowest) / std::log(growth);
+}
+
+std::array<Foam::scalar, Foam::wallImage::nParts>
+Foam::wallImage::parts(const scalar rho, const scalar z, const scalar H) const
+{
+    const scalar Z = max(z, lowest) + max(H, lowest);
+    const values K =
+        interpolated(table_.data(), between(place(z), nHeights),
+                     between(place(H), nHeights),
+                     between(rho / (rho + Z) * perRatio, nRatios)) /
+        std::pow(rho * rho + Z * Z, 1.5);
+    std::array<scalar, nParts> each;
+    std::copy(K.data(), K.data() + nParts, each.begin());
+    return each;
+}
+
+void Foam::wallImage::velocity(const nearField::pointSet& body,
+                               const nearField::pointSet& image,
+                               const vector& apart, const direction normal,
+                               const scalar height,
+                               std::vector<vector>& u) const
+{
+    const label n = body.padded(), m = image.padded();
+    const direction first = (normal + 1) % 3, second = (normal + 2) % 3;
+    const scalar side = height < 0 ? -1 : 1;
+    const scalar factor =
+        1 / (8 * constant::mathematical::pi * mu_ * h_);
+    std::vector<between> H;
+    std::vector<float> heights;
+    for (label j = 0; j < image.n; ++j)
+    {
+        const scalar above =
+            -(side * (apart[normal] + image.fromOrigin[normal * m + j]) +
+              mag(height)) /
+            h_;
+        H.emplace_back(place(above), nHeights);
+        heights.push_back(max(above, lowest));
+    }
+    u.assign(body.n, vector(Zero));
+    for (label i = 0; i < body.n; ++i)
+    {
+        const scalar above =
+            (mag(height) + side * body.fromOrigin[normal * n + i]) / h_;
+        const between z(place(above), nHeights);
+        const float own = max(above, lowest);
+        float sum[3] = {0, 0, 0};
+        for (label j = 0; j < image.n; ++j)
+        {
+            const auto along = [&](const direction d) -> float
+            {
+                return (body.fromOrigin[d * n + i] - apart[d] -
+                        image.fromOrigin[d * m + j]) /
+                       h_;
+            };
+            const float x = along(first), y = along(second),
+                        Z = own + heights[j], rho = std::sqrt(x * x + y * y),
+                        RR = rho * rho + Z * Z;
+            const values K =
+                interpolated(table_.data(), z, H[j],
+                             between(rho / (rho + Z) * perRatio, nRatios)) /
+                (RR * std::sqrt(RR));
+
+            // The force is mirrored: its normal part has the other sign
+            const float fx = image.F[first * m + j],
+                        fy = image.F[second * m + j],
+                        fn = -side * image.F[normal * m + j],
+                        ex = rho > 0 ? x / rho : 1, ey = rho > 0 ? y / rho : 0,
+                        fe = ex * fx + ey * fy, ft = ex * fy - ey * fx,
+                        ue = K[EE] * fe + K[EN] * fn, ut = K[TT] * ft;
+            sum[0] += ex * ue - ey * ut;
+            sum[1] += ey * ue + ex * ut;
+            sum[2] += K[NN] * fn + K[NE] * fe;
+        }
+        u[i][first] = factor * sum[0];
+        u[i][second] = factor * sum[1];
+        u[i][normal] = factor * side * sum[2];
+    }
+}
