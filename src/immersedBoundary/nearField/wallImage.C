@@ -13,32 +13,32 @@
 namespace
 {
 using namespace Foam::wallTable;
-using values = Eigen::Array<float, 8, 1>;
+using values = Eigen::Array<double, 8, 1>;
 
 //- Linear interpolation: the entry below, and the share of the one above
 struct between
 {
     int i;
-    float share;
+    double share;
 
-    between(const float place, const int n)
+    between(const double place, const int n)
         : i(std::min(std::max(int(place), 0), n - 2)),
-          share(std::min(std::max(place - i, 0.f), 1.f))
+          share(std::min(std::max(place - i, 0.0), 1.0))
     {
     }
 };
 
 //- Parts of K |R|^3
-inline values interpolated(const float* table, const between& z,
+inline values interpolated(const double* table, const between& z,
                            const between& H, const between& r)
 {
     values sum = values::Zero();
     for (int c = 0; c < 4; ++c)
     {
         const int a = c & 1, b = c >> 1;
-        const float weight = (a ? z.share : 1 - z.share) *
+        const double weight = (a ? z.share : 1 - z.share) *
                              (b ? H.share : 1 - H.share);
-        const float* entry =
+        const double* entry =
             table + 8 * (((z.i + a) * nHeights + H.i + b) * nRatios + r.i);
         sum += weight * ((1 - r.share) * Eigen::Map<const values>(entry) +
                          r.share * Eigen::Map<const values>(entry + 8));
@@ -55,7 +55,7 @@ Foam::wallImage::wallImage(const deltaKernel::kernelType kernel, const scalar h,
     fill(deltaKernel(kernel));
 }
 
-float Foam::wallImage::place(const scalar height)
+Foam::scalar Foam::wallImage::place(const scalar height)
 {
     return std::log(max(height, lowest) / lowest) / std::log(growth);
 }
@@ -86,7 +86,7 @@ void Foam::wallImage::velocity(const nearField::pointSet& body,
     const scalar factor =
         1 / (8 * constant::mathematical::pi * mu_ * h_);
     std::vector<between> H;
-    std::vector<float> heights;
+    std::vector<double> heights;
     for (label j = 0; j < image.n; ++j)
     {
         const scalar above =
@@ -102,17 +102,17 @@ void Foam::wallImage::velocity(const nearField::pointSet& body,
         const scalar above =
             (mag(height) + side * body.fromOrigin[normal * n + i]) / h_;
         const between z(place(above), nHeights);
-        const float own = max(above, lowest);
-        float sum[3] = {0, 0, 0};
+        const double own = max(above, lowest);
+        double sum[3] = {0, 0, 0};
         for (label j = 0; j < image.n; ++j)
         {
-            const auto along = [&](const direction d) -> float
+            const auto along = [&](const direction d) -> double
             {
                 return (body.fromOrigin[d * n + i] - apart[d] -
                         image.fromOrigin[d * m + j]) /
                        h_;
             };
-            const float x = along(first), y = along(second),
+            const double x = along(first), y = along(second),
                         Z = own + heights[j], rho = std::sqrt(x * x + y * y),
                         RR = rho * rho + Z * Z;
             const values K =
@@ -121,7 +121,7 @@ void Foam::wallImage::velocity(const nearField::pointSet& body,
                 (RR * std::sqrt(RR));
 
             // The force is mirrored: its normal part has the other sign
-            const float fx = image.F[first * m + j],
+            const double fx = image.F[first * m + j],
                         fy = image.F[second * m + j],
                         fn = -side * image.F[normal * m + j],
                         ex = rho > 0 ? x / rho : 1, ey = rho > 0 ? y / rho : 0,

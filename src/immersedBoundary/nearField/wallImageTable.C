@@ -37,6 +37,12 @@ scalar heightAt(const int i)
     return lowest * std::pow(growth, i);
 }
 
+//- Height of a kernel, raised and above the wall
+double raisedHeight(const int i, const double raised)
+{
+    return max(heightAt(i) + raised, 0.05);
+}
+
 //- Transform of the kernel
 double transform(const deltaKernel& kernel, const double k)
 {
@@ -91,7 +97,7 @@ struct column
         Eigen::MatrixXd w(Eigen::MatrixXd::Zero(n - normal, nHeights));
         for (int i = 0; i < nHeights; ++i)
         {
-            const double x = max(heightAt(i) + raised, 0.05);
+            const double x = raisedHeight(i, raised);
             if (x > n - 3) continue;
             kernelStencil s;
             kernel.stencil(x, normal ? 0 : 0.5, normal, n - 1, n, false, s);
@@ -121,9 +127,10 @@ struct column
     }
 };
 
-//- Blake's image, and what the mesh adds to it to order h^2; c: half the second moment of the
-//  kernel
-void longWaves(const double k, const double c, responses& R, responses& more)
+//- Blake's image at raised heights, and what the mesh adds to it to order h^2; c: half the
+//  second moment of the kernel
+void longWaves(const double k, const double raised, const double c,
+               responses& R, responses& more)
 {
     for (int r = 0; r < nResponses; ++r)
     {
@@ -134,9 +141,10 @@ void longWaves(const double k, const double c, responses& R, responses& more)
     {
         for (int j = 0; j < nHeights; ++j)
         {
-            const double z = k * heightAt(i), H = k * heightAt(j), Z = z + H,
+            const double z = k * raisedHeight(i, raised),
+                         H = k * raisedHeight(j, raised), Z = z + H,
                          wave = 2 * pi * std::exp(-Z), C = 4 * c,
-                         squares = 7 / 96.0 * (sqr(z) + sqr(H)),
+                         square = 7 / 96.0 * sqr(Z),
                          products = z * H * (21 / 16.0 - 7 / 48.0 * Z);
             const auto set = [&](const response r, const double exact,
                                  const double error)
@@ -145,10 +153,10 @@ void longWaves(const double k, const double c, responses& R, responses& more)
                 more[r](i, j) = wave * k * error;
             };
             set(ALONG, Z - 1 - 2 * z * H,
-                11 / 32.0 - C + (C - 79 / 96.0) * Z + squares + products);
+                11 / 32.0 - C + (C - 79 / 96.0) * Z + square + products);
             set(ACROSS, -2, 3 / 16.0 - 7 / 48.0 * Z);
             set(NORMAL, -1 - Z - 2 * z * H,
-                C - 5 / 32.0 + (C + 17 / 96.0) * Z - squares + products);
+                C - 5 / 32.0 + (C + 17 / 96.0) * Z - square + products);
             const double even = (C - 0.25) * Z - 0.25 + products,
                          odd = (z - H) * (7 / 96.0 * Z - 0.5);
             set(ALONG_OF_NORMAL, H - z - 2 * z * H, even - odd);
@@ -157,20 +165,21 @@ void longWaves(const double k, const double c, responses& R, responses& more)
     }
 }
 
-//- What the wall of the mesh answers less Blake's image, averaged over directions and
+//- Answer of the wall of the mesh less Blake's image, averaged over directions and
 //  positions in a cell
 responses surplus(const deltaKernel& kernel, const double k, const double c)
 {
-    responses R, more;
-    longWaves(k, c, R, more);
-    if (k < 0.15) return more;
+    responses exact, more;
+    longWaves(k, 0, c, exact, more);
+    if (k < 0.25) return more;
+    responses R;
     for (Eigen::MatrixXd& m : R)
     {
-        m *= -1;
+        m = Eigen::MatrixXd::Zero(nHeights, nHeights);
     }
-    const label away = std::ceil(4 / k) + 2;
-    const label top = min(heightAt(nHeights - 1), 8 / k) + 4;
     const int nAngles = 2, nPlaces = 4;
+    const label away = std::ceil(6 / k) + 2;
+    const label top = min(heightAt(nHeights - 1), 8 / k) + 4;
     for (int a = 0; a < nAngles; ++a)
     {
         const double angle = (a + 0.5) / nAngles * pi / 4,
@@ -184,6 +193,11 @@ responses surplus(const deltaKernel& kernel, const double k, const double c)
             const double raised = 0.5 * ((i + 0.5) / nPlaces - 0.5);
             mesh.add(kernel, raised, factor, R);
             mesh.add(kernel, raised + away, -factor, R);
+            longWaves(k, raised, c, exact, more);
+            for (int r = 0; r < nResponses; ++r)
+            {
+                R[r] -= exact[r] / (nAngles * nPlaces);
+            }
         }
     }
     return R;
@@ -201,7 +215,7 @@ void Foam::wallImage::fill(const deltaKernel& kernel)
     const double c = (1 - transform(kernel, little)) / sqr(little);
 
     // Midpoints of intervals that grow with k
-    const int nWaves = 200;
+    const int nWaves = 128;
     const double last = 2 * pi, bend = 0.05,
                  end = std::log(1 + last / bend);
     for (int w = 0; w < nWaves; ++w)
