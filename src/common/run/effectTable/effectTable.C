@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "effectTable.H"
+#include "libraryVersion.H"
 #include "resultFile.H"
 #include <iomanip>
 #include <sstream>
@@ -78,7 +79,7 @@ void Foam::effectTable::printEffects()
     charge();
     startUp_ += rest_;
     rest_ = 0;
-    Info << nl << "Effects of this scene" << nl;
+    Info << nl << libraryVersion << nl << nl << "Effects of this scene" << nl;
     for (const effect& e : effects_)
     {
         Info << "    " << column(e.name, 18).c_str()
