@@ -8,6 +8,7 @@
 
 // g++ 12 sees uninitialised values in its own AVX-512 intrinsics
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include <algorithm>
 #include <Eigen/Core>
 
 namespace
@@ -44,6 +45,17 @@ inline values interpolated(const double* table, const between& z,
                          r.share * Eigen::Map<const values>(entry + 8));
     }
     return sum;
+}
+
+//- Raise all points alike, so that none is lower than the table
+void lift(std::vector<double>& heights)
+{
+    if (heights.empty()) return;
+    const double least = *std::min_element(heights.begin(), heights.end());
+    for (double& z : heights)
+    {
+        z += std::max(lowest - least, 0.0);
+    }
 }
 } // namespace
 
@@ -85,24 +97,27 @@ void Foam::wallImage::velocity(const nearField::pointSet& body,
     const scalar side = height < 0 ? -1 : 1;
     const scalar factor =
         1 / (8 * constant::mathematical::pi * mu_ * h_);
-    std::vector<between> H;
-    std::vector<double> heights;
+    std::vector<double> own(body.n), others(image.n);
+    for (label i = 0; i < body.n; ++i)
+    {
+        own[i] = (mag(height) + side * body.fromOrigin[normal * n + i]) / h_;
+    }
     for (label j = 0; j < image.n; ++j)
     {
-        const scalar above =
-            -(side * (apart[normal] + image.fromOrigin[normal * m + j]) +
-              mag(height)) /
-            h_;
-        H.emplace_back(place(above), nHeights);
-        heights.push_back(max(above, lowest));
+        const double along = apart[normal] + image.fromOrigin[normal * m + j];
+        others[j] = -(mag(height) + side * along) / h_;
+    }
+    lift(own);
+    lift(others);
+    std::vector<between> H;
+    for (const double z : others)
+    {
+        H.emplace_back(place(z), nHeights);
     }
     u.assign(body.n, vector(Zero));
     for (label i = 0; i < body.n; ++i)
     {
-        const scalar above =
-            (mag(height) + side * body.fromOrigin[normal * n + i]) / h_;
-        const between z(place(above), nHeights);
-        const double own = max(above, lowest);
+        const between z(place(own[i]), nHeights);
         double sum[3] = {0, 0, 0};
         for (label j = 0; j < image.n; ++j)
         {
@@ -113,7 +128,7 @@ void Foam::wallImage::velocity(const nearField::pointSet& body,
                        h_;
             };
             const double x = along(first), y = along(second),
-                        Z = own + heights[j], rho = std::sqrt(x * x + y * y),
+                        Z = own[i] + others[j], rho = std::sqrt(x * x + y * y),
                         RR = rho * rho + Z * Z;
             const values K =
                 interpolated(table_.data(), z, H[j],
