@@ -68,7 +68,7 @@ bool Foam::neighbourField::isPartner(const bodyHere& a, const bodyHere& b) const
 Foam::scalar Foam::neighbourField::stretch(const bodyHere& a,
                                            const bodyHere& b)
 {
-    return b.wall >= 0 && a.number == b.number ? 2 : 1;
+    return b.wall < 0 ? 1 : a.number == b.number ? 2 : 0.5;
 }
 
 Foam::scalar Foam::neighbourField::gap(const bodyHere& a, const bodyHere& b,

@@ -114,36 +114,41 @@ void Foam::wallImage::velocity(const nearField::pointSet& body,
     {
         H.emplace_back(place(z), nHeights);
     }
+    const Eigen::Map<const Eigen::ArrayXd> Hs(others.data(), image.n);
+    Eigen::ArrayXd x, y, rho, RR, ratio, scale;
     u.assign(body.n, vector(Zero));
     for (label i = 0; i < body.n; ++i)
     {
+        const auto along = [&](const direction d)
+        {
+            const Eigen::Map<const Eigen::ArrayXd> from(
+                image.fromOrigin.data() + d * m, image.n);
+            return (body.fromOrigin[d * n + i] - apart[d] - from) / h_;
+        };
+        x = along(first);
+        y = along(second);
+        rho = (x.square() + y.square()).max(1e-20).sqrt(); // 1/0 stops
+        ratio = rho / (rho + own[i] + Hs) * perRatio;
+        RR = rho.square() + (own[i] + Hs).square();
+        scale = 1 / (RR * RR.sqrt());
+        rho = 1 / rho;
         const between z(place(own[i]), nHeights);
         double sum[3] = {0, 0, 0};
         for (label j = 0; j < image.n; ++j)
         {
-            const auto along = [&](const direction d) -> double
-            {
-                return (body.fromOrigin[d * n + i] - apart[d] -
-                        image.fromOrigin[d * m + j]) /
-                       h_;
-            };
-            const double x = along(first), y = along(second),
-                        Z = own[i] + others[j], rho = std::sqrt(x * x + y * y),
-                        RR = rho * rho + Z * Z;
-            const values K =
-                interpolated(table_.data(), z, H[j],
-                             between(rho / (rho + Z) * perRatio, nRatios)) /
-                (RR * std::sqrt(RR));
+            const values K = interpolated(table_.data(), z, H[j],
+                                          between(ratio[j], nRatios)) *
+                             scale[j];
 
             // The force is mirrored: its normal part has the other sign
             const double fx = image.F[first * m + j],
-                        fy = image.F[second * m + j],
-                        fn = -side * image.F[normal * m + j],
-                        ex = rho > 0 ? x / rho : 1, ey = rho > 0 ? y / rho : 0,
-                        fe = ex * fx + ey * fy, ft = ex * fy - ey * fx,
-                        ue = K[EE] * fe + K[EN] * fn, ut = K[TT] * ft;
-            sum[0] += ex * ue - ey * ut;
-            sum[1] += ey * ue + ex * ut;
+                         fy = image.F[second * m + j],
+                         fn = -side * image.F[normal * m + j],
+                         ex = x[j] * rho[j], ey = y[j] * rho[j],
+                         fe = ex * fx + ey * fy,
+                         ue = (K[EE] - K[TT]) * fe + K[EN] * fn;
+            sum[0] += ex * ue + K[TT] * fx;
+            sum[1] += ey * ue + K[TT] * fy;
             sum[2] += K[NN] * fn + K[NE] * fe;
         }
         u[i][first] = factor * sum[0];
