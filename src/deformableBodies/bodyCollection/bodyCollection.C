@@ -6,6 +6,7 @@
 #include "dictionaryChecks.H"
 #include "fvc.H"
 #include "lastStep.H"
+#include "libraryVersion.H"
 #include "periodicBox.H"
 #include "duplicateEntries.H"
 
@@ -24,6 +25,7 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
       motion_(system_, trouble_),
       statistics_(system_)
 {
+    note() = libraryVersion;
     const IOobject io("deformableBodies", mesh.time().constant(), mesh,
                       IOobject::MUST_READ, IOobject::NO_WRITE, false);
     if (fileExists<IOdictionary>(io))
