@@ -18,6 +18,23 @@ done
 isQuick() { [ "$extent" = quick ]; }
 isLong() { [ "$extent" = long ]; }
 
+# Points of a study, by their names or beginnings of them. Without any: all
+wanted=()
+for argument
+do
+    case $argument in -*) ;; *) wanted+=("$argument") ;; esac
+done
+asked()
+{
+    local beginning
+    [ ${#wanted[@]} -gt 0 ] || return 0
+    for beginning in "${wanted[@]}"
+    do
+        [[ $1 != "$beginning"* ]] || return 0
+    done
+    return 1
+}
+
 # End of a script with -quick
 endOfQuick() { ! isQuick || finish; }
 

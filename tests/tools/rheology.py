@@ -28,6 +28,11 @@ def samples():
     return tables[0].names, np.vstack([t.rows for t in tables])
 
 
+def sceneEntry(name):
+    """A number of constant/scene."""
+    return float(re.search(r"^%s\s+([-\d.e]+)" % name, open("constant/scene").read(), re.M)[1])
+
+
 def seconds():
     """Seconds of the processor of all pieces."""
     return sum(float(re.findall(r"ExecutionTime = (\S+)", open(f).read())[-1]) for f in glob.glob("log.run.*"))
@@ -44,9 +49,7 @@ def row(name):
     else:
         x, y = (late[:, names.index("axis" + d)] for d in "XY")
         D, angle = mean("endToEnd"), np.degrees(np.arctan2(np.abs(y), np.abs(x))).mean()
-    text = open("constant/scene").read()
-    entry = lambda key: float(re.search(r"^%s\s+([-\d.e]+)" % key, text, re.M)[1])
-    fraction = entry("fraction") if "\nfraction" in text else entry("nL3")
+    fraction = sceneEntry("fraction" if "D" in names else "nL3")
     contacts = a.get("contacts", 0) + a.get("wallContacts", 0)
     values = [fraction, a["relativeViscosity"], a["relativeViscosityError"], a["N1"], a["N1Error"], a["N2"], a["N2Error"],
               a["particleStress"] - contacts, contacts, a["reynoldsStress"], D, angle, seconds()]
