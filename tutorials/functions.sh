@@ -34,9 +34,6 @@ done
 # Values stay in constant/scene for later runs
 echo "Scene: $(sed -n 's/^\([A-Za-z0-9]*\) *\([^;]*\);.*/\1 \2/p' constant/scene | paste -sd, | sed 's/,/, /g')"
 
-# The plots of filaments share what they read, also where a scene was copied
-export PYTHONPATH="$tutorials/filament${PYTHONPATH:+:$PYTHONPATH}"
-
 # Runs a program, its output in log.<program>; one sentence if it fails
 run()
 {
@@ -80,13 +77,19 @@ solve()
     run reconstructPar
 }
 
-# python <script> [arguments]: with numpy and matplotlib
+# python <script> [arguments]: with numpy, matplotlib and the package deformablebodies
 python() { "$DEFORMABLE_BODIES_DIR/bin/python" "$@"; }
 
-# draw <script> <picture> [arguments]: by VTK, which may be missing or see no display
+# draw bodies <arguments of bin/drawBodies>, draw <script> <picture>: by VTK, which may be
+# missing or see no display
 draw()
 {
-    python "$@" || echo "No picture $2: VTK could not draw (install python3-vtk9 and xvfb)"
+    if [ "$1" = bodies ]
+    then
+        "$DEFORMABLE_BODIES_DIR/bin/drawBodies" "${@:2}"
+    else
+        python "$@"
+    fi || echo "No picture $2: VTK could not draw (install python3-vtk9 and xvfb)"
 }
 
 # finished <what else to look at>: the last line; names the pictures that are there

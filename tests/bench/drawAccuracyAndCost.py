@@ -4,11 +4,7 @@ import csv
 import os
 import sys
 import textwrap
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-sys.path.insert(0, os.environ["DEFORMABLE_BODIES_DIR"] + "/bin")
-from errorPlot import drawErrors
+from deformablebodies import figures
 
 scenes = [line.rstrip("\n").split("\t") for line in open(sys.argv[1])]
 doc = sys.argv[2]
@@ -41,7 +37,7 @@ rows = []
 for (name, title, command), axis in zip(scenes, axes.flat):
     own = list(csv.reader(open(name + "/accuracyCost.csv")))
     quantity, own = own[0][2], own[1:]
-    drawErrors(axis, [r for r in own if r[0] != "base"], float(own[0][4]), 100, 7)
+    figures.errorsAgainstSeconds(axis, [r for r in own if r[0] != "base"], float(own[0][4]), 100, 7)
     axis.set(title=title, xlabel="core seconds", ylabel="error of %s [%%]" % quantity)
     axis.legend(fontsize=8)
     rows += [[name, quantity, *r] for r in own]

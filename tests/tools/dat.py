@@ -2,21 +2,7 @@
 import glob
 import os
 import numpy as np
-
-
-class Table:
-    """Columns by name, rows in the order of the file."""
-
-    def __init__(self, file):
-        # Read once: the file may be a pipe
-        with open(file) as f:
-            lines = f.readlines()
-        first = lines[0] if lines else ""
-        self.names = first.split()[1:] if first.startswith("#") else []
-        self.rows = np.loadtxt(lines, ndmin=2)
-
-    def __getitem__(self, name):
-        return self.rows[:, self.names.index(name)]
+from deformablebodies import Table
 
 
 def difference(a, b, kind="bodies"):

@@ -2,26 +2,13 @@
 import glob
 import re
 import numpy as np
-
-
-def vectors(file):
-    """Internal field of vectors, n x 3."""
-    with open(file, "rb") as f:
-        data = f.read()
-    binary = re.search(rb"format\s+(\w+);", data)[1] == b"binary"
-    begin = data.index(b"internalField")
-    count = re.compile(rb"nonuniform\s+List<vector>\s*(\d+)\s*\(").search(data, begin)
-    n, begin = int(count[1]), count.end()
-    if binary:
-        return np.frombuffer(data, "<f8", 3 * n, begin).reshape(n, 3)
-    words = data[begin:].replace(b"(", b" ").replace(b")", b" ").split(None, 3 * n)
-    return np.array(words[:3 * n], float).reshape(n, 3)
+from deformablebodies.case import field
 
 
 def addNoise(file, amplitude: float):
     """Adds noise, evenly distributed up to the amplitude, to a field of vectors that is not
     uniform. The file is ascii then, and what its boundary has must be uniform."""
-    U = vectors(file)
+    U = field(file)
     U = U + amplitude * np.random.default_rng(1).uniform(-1, 1, U.shape)
     with open(file, "rb") as f:
         data = f.read()
@@ -36,34 +23,34 @@ def addNoise(file, amplitude: float):
 
 def difference(a, b):
     """Largest difference of two fields of vectors, relative to the largest value."""
-    a, b = vectors(a), vectors(b)
+    a, b = field(a), field(b)
     return "%.2e" % (np.abs(a - b).max() / np.abs(b).max())
 
 
 def meanX(file):
     """Mean absolute value of the first component."""
-    return "%.17g" % np.abs(vectors(file)[:, 0]).mean()
+    return "%.17g" % np.abs(field(file)[:, 0]).mean()
 
 
 def resultant(file, other=None):
     """Sum of a field of forces over its largest value, or the largest difference from
     another field."""
-    f = vectors(file)
-    left = f.sum(0) if other is None else f - vectors(other)
+    f = field(file)
+    left = f.sum(0) if other is None else f - field(other)
     return "%.3g" % (abs(left).max() / abs(f).max())
 
 
 def sumDifference(total, *parts):
     """Largest difference of a field from the sum of others, over its largest value."""
-    f = vectors(total)
-    return "%.3g" % (abs(f - sum(vectors(part) for part in parts)).max() / abs(f).max())
+    f = field(total)
+    return "%.3g" % (abs(f - sum(field(part) for part in parts)).max() / abs(f).max())
 
 
 def taylorGreen(file, n: int):
     """Largest error of the first component of Taylor and Green's vortices (box 8, nu 0.2,
     time 1, n^3 cells), over what is left of them. The fluxes of the start are averages of
     cells, the velocity at the end is one of fluxes: each averages once."""
-    U = vectors(file)[:, 0].reshape(n, n, n)
+    U = field(file)[:, 0].reshape(n, n, n)
     x = -4 + (np.arange(n) + 0.5) * 8 / n
     k = np.pi / 4
     decay = np.exp(-2 * 0.2 * k * k)
@@ -75,7 +62,7 @@ def agreement(*cells: int):
     """Agreement of the flows staggered<n> and pimple<n> of two numbers of cells at time 0.48: mean
     square differences of the velocity, their order, and the difference of the pressure
     gradients of the finer."""
-    U = lambda algorithm, n: vectors("%s%d/0.48/U" % (algorithm, n))
+    U = lambda algorithm, n: field("%s%d/0.48/U" % (algorithm, n))
     d = [np.sqrt(np.mean((U("staggered", n) - U("pimple", n))**2)) for n in cells]
     gradient = lambda folder: float(re.findall(r"pressure gradient = (\S+)", open(folder + "/log.run").read())[-1])
     g = [gradient("%s%d" % (algorithm, cells[-1])) for algorithm in ("staggered", "pimple")]
@@ -89,7 +76,7 @@ def wallViscosity(half: float, cells: int):
     values = []
     for name in set(glob.glob("[0-9]*/U")) - {"0.orig/U"}:
         if float(name.split("/")[0]) >= 2:
-            layers = vectors(name)[:, 0].reshape(cells, cells, cells).mean(axis=(0, 2))
+            layers = field(name)[:, 0].reshape(cells, cells, cells).mean(axis=(0, 2))
             values.append(0.5 * ((half - layers[-1]) + (layers[0] + half)) / (half / cells))
     values = np.array(values)
     return values.mean(), values.std() / np.sqrt(len(values) / 4), len(values)

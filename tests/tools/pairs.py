@@ -1,7 +1,7 @@
 """Two capsules that pass each other, against boundary integrals."""
 import re
 import numpy as np
-from dat import Table
+from deformablebodies import Table
 
 
 def first(file):

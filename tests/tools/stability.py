@@ -13,7 +13,7 @@ import glob
 import os
 import re
 import numpy as np
-from dat import Table
+from deformablebodies import Table
 import fields
 
 MODES = ("fixed", "between", "limit", "adjusted")
@@ -131,7 +131,7 @@ def fluctuations(folder):
         time = file.split("/")[-2]
         if time in ("0", "0.orig"):
             continue
-        U = fields.vectors(file)
+        U = fields.field(file)
         U = U.reshape(n, -1, n, 3)
         times.append(float(time))
         values.append(((U - U.mean(axis=(0, 2), keepdims=True))**2).sum(axis=-1).mean())

@@ -18,6 +18,8 @@ import stability
 import stabilityMap
 import theory
 import vtp
+from deformablebodies import Case, Table
+from deformablebodies.tables import records
 
 
 def near(a, b, tolerance=1e-12):
@@ -64,10 +66,38 @@ def cubes(name, *corners, side=1):
 bodies = "# time body x\n# [s] [number] [m]\n%g 0 %.17g\n%g 1 %.17g\n"
 
 
-def columnsOfTablesHaveNames():
-    table = dat.Table(file("a.dat", bodies % (0.1, 2, 0.1, 3)))
+def columnsOfTablesHaveNamesAndUnits():
+    table = Table(file("a.dat", bodies % (0.1, 2, 0.1, 3)))
     near(table["x"], [2, 3])
-    refuses(ValueError, lambda: table["y"])
+    assert table.units["x"] == "m" and "x" in table and "y" not in table
+    refuses(KeyError, lambda: table["y"])
+    near(table.of(1)["x"], [3])
+    near(table.after(0.1).rows.size, 0)
+    near(Table(file("empty.dat", "# a b\n")).rows.shape, (0, 2))
+
+
+def laterPiecesOfARunReplaceTheirTimes():
+    pieces = [file("%d.dat" % n, "# t x\n" + rows) for n, rows in enumerate(("0 1\n1 2\n2 3\n", "", "1.5 7\n2 8\n"))]
+    near(Table.joined(pieces)["x"], [1, 2, 7, 8])
+
+
+def casesHaveEntriesAndPiecesInTheOrderOfTheirStarts():
+    os.makedirs("case/constant", exist_ok=True)
+    file("case/constant/scene", "Re   0.1; // number\nbody  sphere;\nReal 5;\n")
+    for start in ("0", "10", "9.5"):
+        os.makedirs("case/postProcessing/bodies/" + start, exist_ok=True)
+        file("case/postProcessing/bodies/%s/cells.dat" % start, bodies % (float(start), 1, float(start), 2))
+    case = Case("case")
+    near(case.entry("Re"), 0.1)
+    assert case.entry("body") == "sphere" and case.entry("R") is None
+    near(case.bodies("cells", 0)["time"], [0, 9.5, 10])
+    near(Table(case.latest("bodies", "cells.dat"))["time"], [10, 10])
+    refuses(FileNotFoundError, case.bodies, "others")
+
+
+def recordsLeaveCommentsOut():
+    rows = records(file("a.csv", "# from a paper\nx,y\n1,two\n"))
+    assert rows == [{"x": "1", "y": "two"}]
 
 
 def differencesAreRelativeToTheLargestValue():
@@ -92,8 +122,8 @@ def fieldsAreTheSameInBothFormats():
     header = "FoamFile { format %s; class volVectorField; }\ninternalField   nonuniform List<vector> \n4\n("
     file("ascii", header % "ascii" + "\n".join("(%.17g %.17g %.17g)" % tuple(v) for v in values) + "\n);")
     file("binary", (header % "binary").encode() + values.tobytes() + b");")
-    near(fields.vectors("ascii"), values, 0)
-    near(fields.vectors("binary"), values, 0)
+    near(fields.field("ascii"), values, 0)
+    near(fields.field("binary"), values, 0)
     near(fields.difference("ascii", "binary"), 0)
     near(fields.resultant("ascii"), values.sum(0).max() / values.max(), 5e-3)
 
@@ -318,7 +348,7 @@ def noiseIsWithinItsAmplitude():
     file("U", "format binary;\ninternalField nonuniform List<vector> 4\n".encode() + b"(" + U.tobytes()
          + b");\nboundaryField { }\n")
     fields.addNoise("U", 0.1)
-    V = fields.vectors("U")
+    V = fields.field("U")
     assert 0.01 < abs(V - U).max() < 0.1
 
 

@@ -107,7 +107,7 @@ def tensionNoise(group, resolution: float):
 def loads(file, name, samples, columns):
     """Field of a picture, times the areas where it is per area, summed up over each body, less
     columns (of x) of the last samples: largest difference over the largest sum."""
-    from dat import Table
+    from deformablebodies import Table
     data = read(file)
     field, body = array(data, name).astype(float), array(data, "body")
     if name in ("load", "traction"):

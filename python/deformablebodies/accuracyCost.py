@@ -34,7 +34,7 @@ import shutil
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
-from caseRuns import Failed, NotOfTheCase, OutOfTime, Runs, atOneTime, change, clock, copyCase, die, guarded, percent, readOptions
+from .runs import Failed, NotOfTheCase, OutOfTime, Runs, atOneTime, change, clock, copyCase, die, guarded, percent, readOptions
 
 # Settings of which larger values are finer, and smaller ones; other settings are compared
 # with the last value given
@@ -232,12 +232,9 @@ def main():
 
 
 def draw(file, base, rows):
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    from errorPlot import drawErrors
-    figure, axis = plt.subplots(figsize=(7, 5), constrained_layout=True)
-    drawErrors(axis, rows, base["seconds"], 1, 8, "{setting} ({how})")
+    from . import figures
+    figure, axis = figures.columns(1, 4.5, 6.2)
+    figures.errorsAgainstSeconds(axis, rows, base["seconds"], 1, 8, "{setting} ({how})")
     front, least = [], math.inf
     for r in sorted(rows, key=lambda r: r[4]):
         if r[3] < least:
@@ -248,9 +245,10 @@ def draw(file, base, rows):
               color="0.4", rotation=90, ha="right", va="top")
     axis.set(xlabel="core seconds of the run", ylabel="error of %s from this setting alone" % base["quantity"])
     axis.margins(0.08)
-    axis.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1, 1), title_fontsize=8,
+    axis.legend(loc="upper left", bbox_to_anchor=(1, 1), title_fontsize=8,
                 title="hollow: the finest value,\nits error is how sure the limit is")
-    figure.savefig(file, dpi=100)
+    figures.save(figure, file)
 
 
-guarded(main)
+if __name__ == "__main__":
+    guarded(main)

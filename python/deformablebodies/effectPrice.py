@@ -14,7 +14,7 @@ import os
 import re
 import sys
 import textwrap
-from caseRuns import Failed, NotOfTheCase, OutOfTime, Runs, atOneTime, dictionary, die, guarded, percent, readOptions
+from .runs import Failed, NotOfTheCase, OutOfTime, Runs, atOneTime, dictionary, die, guarded, percent, readOptions
 
 bodiesFile = "constant/deformableBodies"
 
@@ -140,4 +140,5 @@ def main():
     sys.exit(2 if notRun or (failed == len(todo) and todo) else 0)
 
 
-guarded(main)
+if __name__ == "__main__":
+    guarded(main)

@@ -1,5 +1,5 @@
-"""Runs of copies of a case with other settings, for accuracyCost and effectPrice: options,
-changes of entries, runs kept for the next command, and their results."""
+"""Runs of copies of a case with other settings, kept for the next command, and their results:
+sweep, and what accuracyCost and effectPrice share."""
 import argparse
 import glob
 import hashlib
@@ -12,6 +12,7 @@ import signal
 import subprocess
 import sys
 import time
+from .case import Case
 
 perType = {"capsule": {"harmonics", "markerSpacing", "nearField", "motion"},
            "filament": {"segments", "scheme"}, "rigid": {"markerSpacing", "nearField"}}
@@ -205,15 +206,16 @@ class Runs:
         raise NotOfTheCase("there is no quantity '%s'%s, allowed: %s" % (
             self.quantity, " of group " + self.group if self.group else "", " ".join(dict.fromkeys(seen))))
 
-    def run(self, label, settings):
-        """Result of one run with settings (name, value), from an earlier command or a new run."""
+    def made(self, label, settings):
+        """Folder of one run with settings (name, value), and its changes and core seconds: from
+        an earlier command, or a new run."""
         changes = self.always + settings
         folder = os.path.join(self.out, "runs", re.sub(r"[^A-Za-z0-9_.=+-]", "_", label))
         record = os.path.join(folder, "done.json")
         if os.path.isfile(record):
             result = json.load(open(record))
             if (result["changes"], result.get("case")) == ([list(c) for c in changes], self.fingerprint):
-                return dict(result, **self.read(folder))
+                return folder, result
         taken = self.once(folder, changes)
         # Short runs: the fastest of three, as other jobs slow down single runs
         again = folder + "~"
@@ -229,6 +231,11 @@ class Runs:
         with open(record + ".part", "w") as f:
             json.dump(result, f)
         os.rename(record + ".part", record)
+        return folder, result
+
+    def run(self, label, settings):
+        """Result of one run with settings."""
+        folder, result = self.made(label, settings)
         return dict(result, **self.read(folder))
 
     def placesOfCase(self):
@@ -302,6 +309,18 @@ class Runs:
         # Unit: 1/100
         times = re.findall(r"ExecutionTime = ([0-9.]+) s", text)
         return max(0.01, float(times[-1])) if times else math.nan
+
+
+def sweep(case, out, settings):
+    """Runs copies of a case in out/runs, one for each dictionary of settings (names as of
+    accuracyCost, such as {"Ca": 0.1, "deltaT": 1e-3}), and yields the settings and the Case of
+    each. Runs of an earlier call that are finished are not repeated. Failed: a run stopped."""
+    runs = Runs(argparse.Namespace(case=case, out=os.path.abspath(out), quantity=None, group=None, always=[],
+                                   budget=None))
+    for some in settings:
+        changes = [(name, str(value)) for name, value in some.items()]
+        folder, _ = runs.made(",".join("%s=%s" % c for c in changes) or "asItStands", changes)
+        yield some, Case(folder)
 
 
 def atOneTime(results):

@@ -1,0 +1,107 @@
+"""A case of deformableBodyFoam and its results."""
+import glob
+import json
+import os
+import re
+import numpy as np
+from .tables import Table
+
+number = re.compile(r"^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
+
+
+def field(file):
+    """Internal field of a file of OpenFOAM, ascii or binary: n x components, in the order of the
+    cells; x first, then y and z in a mesh of one block."""
+    with open(file, "rb") as f:
+        data = f.read()
+    sizes = {b"scalar": 1, b"vector": 3, b"symmTensor": 6, b"tensor": 9}
+    binary = re.search(rb"format\s+(\w+);", data)[1] == b"binary"
+    head = re.compile(rb"nonuniform\s+List<(\w+)>\s*(\d+)\s*\(").search(data, data.index(b"internalField"))
+    if not head:
+        raise ValueError("%s is uniform" % file)
+    n, size = int(head[2]), sizes[head[1]]
+    if binary:
+        return np.frombuffer(data, "<f8", n * size, head.end()).reshape(n, size)
+    words = data[head.end():].replace(b"(", b" ").replace(b")", b" ").split(None, n * size)
+    return np.array(words[:n * size], float).reshape(n, size)
+
+
+class Case:
+    """The case in a folder. Results of all runs that were restarted are put together."""
+
+    def __init__(self, folder="."):
+        self.folder = os.path.abspath(folder)
+
+    def path(self, *parts):
+        return os.path.join(self.folder, *parts)
+
+    def entry(self, name, file="constant/scene"):
+        """An entry of a dictionary as it stands there: a number, or its text. None: not there."""
+        with open(self.path(file)) as f:
+            found = re.search(r"^\s*%s\s+([^;]*?)\s*;" % re.escape(name), f.read(), re.M)
+        if not found:
+            return None
+        return float(found[1]) if number.match(found[1]) else found[1]
+
+    def pieces(self, function, name):
+        """Files of a function in postProcessing, one for each start of the run, in that order."""
+        files = glob.glob(glob.escape(self.path("postProcessing", function)) + "/*/" + name)
+        return sorted(files, key=lambda file: float(os.path.basename(os.path.dirname(file))))
+
+    def table(self, function, name):
+        """Table of postProcessing/<function>/<start>/<name>. FileNotFoundError: it has none."""
+        files = self.pieces(function, name)
+        if not files:
+            raise FileNotFoundError("%s has no postProcessing/%s/*/%s" % (self.folder, function, name))
+        return Table.joined(files)
+
+    def latest(self, function, name):
+        """The file of the latest start, of a function that sums up the whole run."""
+        return self.pieces(function, name)[-1]
+
+    def bodies(self, group, body=None):
+        """Samples of a group, or of one of its bodies."""
+        table = self.table("bodies", group + ".dat")
+        return table if body is None else table.of(body)
+
+    def stress(self):
+        return self.table("bulkStress", "bulkStress.dat")
+
+    def averages(self):
+        """Means and errors of the bulk stress by name; empty while the transient is not over."""
+        try:
+            table = Table(self.latest("bulkStress", "averages.dat"))
+        except IndexError:
+            return {}
+        return table.last() if len(table) else {}
+
+    def means(self, function, group):
+        """Mean, error (-1: not known) and deviation of each quantity, by bodyStatistics."""
+        with open(self.latest(function, group + ".means.dat")) as f:
+            rows = (line.split() for line in f if not line.startswith("#"))
+            return {row[0]: tuple(map(float, row[1:])) for row in rows}
+
+    def groups(self):
+        """Groups of bodies that have pictures."""
+        series = glob.glob(glob.escape(self.path("postProcessing/VTK/bodies")) + "/*.vtp.series")
+        return sorted(os.path.basename(file)[:-len(".vtp.series")] for file in series)
+
+    def pictures(self, group):
+        """(time, file .vtp) of each picture of a group."""
+        with open(self.path("postProcessing/VTK/bodies", group + ".vtp.series")) as f:
+            files = json.load(f)["files"]
+        return [(file["time"], self.path("postProcessing/VTK/bodies", file["name"])) for file in files]
+
+    def shapes(self, group):
+        """(time, points n x 3) of each picture of a group."""
+        from .bodies3d import points
+        return [(time, points(file)) for time, file in self.pictures(group)]
+
+    def times(self):
+        """Times whose fields were written, in their order."""
+        names = (name for name in os.listdir(self.folder) if number.match(name))
+        return sorted(names, key=float)
+
+    def field(self, name, time=None):
+        """Values of a field in the cells (see field), by default at the last time."""
+        return field(self.path(time or self.times()[-1], name))

@@ -1,0 +1,39 @@
+"""Bodies of a case as a picture, at its last time: membranes coloured by their larger principal
+tension over Gs, fibres as tubes.
+
+    drawBodies                                   in the case directory: bodies.png
+    drawBodies mine picture.png --radius 0.185   radius of fibres [m]
+    drawBodies --strip cells --size 3.1          one body at several times, side by side
+"""
+import argparse
+import os
+import sys
+from . import bodies3d
+from .case import Case
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="drawBodies", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("case", nargs="?", default=".")
+    parser.add_argument("picture", nargs="?", default="bodies.png")
+    parser.add_argument("--radius", type=float, default=0.05, help="of fibres [m]")
+    parser.add_argument("--strip", metavar="GROUP", help="the only body of a group at several times")
+    parser.add_argument("--size", type=float, default=3.1, help="of the square of a body in a strip [m]")
+    parser.add_argument("--perRow", type=int, default=4, help="pictures in each of the two rows of a strip")
+    options = parser.parse_args()
+    case = Case(options.case)
+    if not case.groups():
+        sys.exit("drawBodies: %s has no postProcessing/VTK/bodies: it was not run, or has no bodies" % case.folder)
+    if options.strip and options.strip not in case.groups():
+        sys.exit("drawBodies: there is no group '%s', allowed: %s" % (options.strip, " ".join(case.groups())))
+    bodies3d.onDisplay()
+    os.makedirs(os.path.dirname(os.path.abspath(options.picture)), exist_ok=True)
+    if options.strip:
+        bodies3d.strip(case, options.picture, options.strip, options.size, options.perRow)
+    else:
+        bodies3d.suspension(case, options.picture, options.radius)
+
+
+if __name__ == "__main__":
+    main()

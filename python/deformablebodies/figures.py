@@ -1,0 +1,74 @@
+"""One look of all plots.
+
+    from deformablebodies import figures
+    figure, (left, right) = figures.columns(2)
+    left.plot(t, D, label="deformableBodyFoam")
+    left.plot(*reference, **figures.reference, label="Author 1999")
+    figures.save(figure, "results/deformation.png")     # and deformation.pdf
+
+Colours are told apart by readers who are colour-blind (Okabe & Ito 2008); maps of ordered
+values are viridis, of signed ones `signed`.
+"""
+import os
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib import ticker
+
+black, blue, orange, green, purple, yellow = "k", "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00"
+signed = "PuOr"
+
+# Published values, and lines that theory draws
+reference = {"ls": "none", "marker": "s", "ms": 4.5, "mfc": "none", "color": orange}
+theory = {"ls": "--", "lw": 1.2, "color": orange}
+
+plt.rcParams.update({
+    "font.family": "DejaVu Sans", "mathtext.fontset": "dejavusans", "font.size": 9, "axes.titlesize": 9,
+    "legend.fontsize": 8, "legend.frameon": False, "axes.grid": True, "grid.alpha": 0.25, "grid.linewidth": 0.6,
+    "axes.linewidth": 0.7, "lines.linewidth": 1.4, "lines.markersize": 4, "errorbar.capsize": 2.5,
+    "axes.prop_cycle": plt.cycler(color=[black, blue, orange, green, purple, yellow]), "image.cmap": "viridis",
+    "savefig.dpi": 130, "figure.constrained_layout.use": True, "pdf.fonttype": 42})
+
+
+def columns(n=1, height=3.3, width=3.9, **options):
+    """A figure with n axes side by side, each of a width and height [inches]."""
+    return plt.subplots(1, n, figsize=(n * width + (0.8 if n == 1 else 0), height), **options)
+
+
+def shades(values):
+    """A colour of viridis for each of some ordered values."""
+    values = list(values)
+    return dict(zip(values, plt.cm.viridis(np.linspace(0, 0.88, len(values)))))
+
+
+def save(figure, picture):
+    """Write a picture, and the same as .pdf beside a .png."""
+    os.makedirs(os.path.dirname(os.path.abspath(picture)), exist_ok=True)
+    figure.savefig(picture)
+    if picture.endswith(".png"):
+        figure.savefig(picture[:-4] + ".pdf")
+
+
+def errorsAgainstSeconds(axis, rows, baseSeconds, unit, fontsize, label="{setting}"):
+    """rows of accuracyCost.csv (setting, value, result, error, seconds, how its limit was found),
+    errors times unit: a line for each setting, by cost. The finest value is hollow: its error
+    is the uncertainty of the limit. Later drawings must not set the scales again, as this would
+    remove the ticks."""
+    least = 1e-8 * unit
+    for setting in dict.fromkeys(r[0] for r in rows):
+        own = [r for r in rows if r[0] == setting]
+        finest = own[-1]
+        drawn = sorted((r for r in own if float(r[3]) > 0), key=lambda r: float(r[4]))
+        x, y = [float(r[4]) for r in drawn], [max(unit * float(r[3]), least) for r in drawn]
+        line, = axis.loglog(x, y, "o-", label=label.format(setting=setting, how=finest[5]))
+        if finest in drawn and not finest[5].startswith("taken"):
+            k = drawn.index(finest)
+            axis.plot(x[k], y[k], "o", color=line.get_color(), mfc="white")
+        for r, a, b in zip(drawn, x, y):
+            axis.annotate(r[1], (a, b), textcoords="offset points", xytext=(4, 4), fontsize=fontsize)
+    axis.axvline(baseSeconds, color="0.7", lw=1, zorder=0)
+    for part in (axis.xaxis, axis.yaxis):
+        part.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
+        part.set_major_formatter("{x:g}")
+        part.set_minor_formatter(ticker.NullFormatter())

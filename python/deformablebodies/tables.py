@@ -1,0 +1,85 @@
+"""Files of columns: a first line of names that begins with #, then rows of numbers."""
+import csv
+import numpy as np
+
+
+class Table:
+    """Columns by name, rows in the order of the file.
+
+    names   of the columns
+    units   by name; empty where the file has none
+    rows    array, a row for each line
+    """
+
+    def __init__(self, file=None, names=(), rows=None, units=None):
+        self.names, self.units = list(names), units or {}
+        self.rows = np.zeros((0, len(self.names))) if rows is None else rows
+        if file is None:
+            return
+        # Read once: the file may be a pipe
+        with open(file) as f:
+            lines = f.readlines()
+        heads = [line.split()[1:] for line in lines[:2] if line.startswith("#")]
+        if heads:
+            self.names = heads[0]
+        if len(heads) > 1 and len(heads[1]) == len(self.names):
+            self.units = dict(zip(self.names, (unit.strip("[]") for unit in heads[1])))
+        numbers = [line for line in lines if not line.startswith("#") and line.strip()]
+        self.rows = np.loadtxt(numbers, ndmin=2) if numbers else np.zeros((0, len(self.names)))
+
+    @classmethod
+    def joined(cls, files):
+        """One table of the pieces of a run: rows of later pieces replace those from their
+        first time on."""
+        tables = [table for table in map(cls, files) if len(table)]
+        if not tables:
+            return cls(files[0])
+        rows = tables[0].rows
+        for table in tables[1:]:
+            rows = np.vstack([rows[rows[:, 0] < table.rows[0, 0]], table.rows])
+        return cls(names=tables[0].names, rows=rows, units=tables[0].units)
+
+    def __getitem__(self, name):
+        if name not in self.names:
+            raise KeyError("there is no column '%s', but %s" % (name, " ".join(self.names)))
+        return self.rows[:, self.names.index(name)]
+
+    def __contains__(self, name):
+        return name in self.names
+
+    def __len__(self):
+        return len(self.rows)
+
+    def where(self, rows):
+        """The table of some rows: a mask, or their numbers."""
+        return Table(names=self.names, rows=self.rows[rows], units=self.units)
+
+    def after(self, time):
+        """Rows later than a time."""
+        return self.where(self.rows[:, 0] > time)
+
+    def of(self, body):
+        """Rows of a body, by its number."""
+        return self.where(self["body"] == body)
+
+    def last(self):
+        """The last row by name."""
+        return dict(zip(self.names, self.rows[-1]))
+
+    def frame(self):
+        """As a DataFrame of pandas."""
+        import pandas
+        return pandas.DataFrame(self.rows, columns=self.names)
+
+
+def records(file):
+    """Rows of a .csv file as dictionaries of words by column; lines that begin with # are left out."""
+    with open(file) as f:
+        return list(csv.DictReader(line for line in f if not line.startswith("#")))
+
+
+def profiles(file):
+    """Table of profiles.dat of phaseProfiles, whose columns are named on a later line."""
+    with open(file) as f:
+        names = next(line for line in f if line.startswith("# y")).split()[1:]
+    return Table(names=names, rows=np.loadtxt(file, ndmin=2))
