@@ -37,10 +37,12 @@ def bodies(case, view, radius):
             table.RescaleTransferFunction(0, np.quantile(tension, 0.99))
             table.AutomaticRescaleRangeMode = "Never"
             bar = simple.GetScalarBar(table, view)
-            bar.Title, bar.ComponentTitle = "tension1 [N/m]", ""
+            bar.Title, bar.ComponentTitle = "tension1", "[N/m]"
             bar.TitleFontSize = bar.LabelFontSize = 12
             bar.WindowLocation = "Any Location"
-            bar.Position, bar.ScalarBarLength = [0.86, 0.3], 0.4
+            bar.Position, bar.ScalarBarLength = [0.84, 0.3], 0.4
+            bar.HorizontalTitle = 1
+            bar.LabelFormat = bar.RangeLabelFormat = "%.2g"
             bar.TitleColor = bar.LabelColor = [0, 0, 0]
         else:
             simple.ColorBy(display, ("POINTS", None))
