@@ -124,6 +124,11 @@ void Foam::fv::lowModeForcing::add(const direction d, const vector& offset,
 void Foam::fv::lowModeForcing::addTo(staggeredField& f)
 {
     advance();
+    addPresent(f);
+}
+
+void Foam::fv::lowModeForcing::addPresent(staggeredField& f) const
+{
     for (direction d = 0; d < 3; ++d)
     {
         vector offset(0.5, 0.5, 0.5);

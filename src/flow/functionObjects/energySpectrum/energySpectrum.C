@@ -3,7 +3,9 @@
 #include "energySpectrum.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
+#include "fvOptions.H"
 #include "IOdictionary.H"
+#include "lowModeForcing.H"
 
 namespace Foam
 {
@@ -56,8 +58,8 @@ Foam::functionObjects::energySpectrum::energySpectrum(const word& name,
     if (Pstream::master())
     {
         file() << "# time kineticEnergy dissipation rms taylorLength ReLambda "
-               << "integralLength kolmogorovLength turnoverTime skewness"
-               << endl;
+               << "integralLength kolmogorovLength turnoverTime skewness "
+               << "forcingPower" << endl;
     }
 }
 
@@ -78,10 +80,44 @@ bool Foam::functionObjects::energySpectrum::read(const dictionary& dict)
     return true;
 }
 
+void Foam::functionObjects::energySpectrum::velocity(staggeredField& u) const
+{
+    grid_.toStaggered(lookupObject<surfaceScalarField>(phiName_), u);
+}
+
+Foam::scalar Foam::functionObjects::energySpectrum::forcingPower() const
+{
+    const auto* options =
+        mesh_.cfindObject<fv::options>(fv::options::typeName);
+    if (!options) return 0;
+    staggeredField f(grid_.box()), u(grid_.box());
+    bool forced = false;
+    for (const fv::option& o : static_cast<const PtrList<fv::option>&>(*options))
+    {
+        const auto* forcing = isA<fv::lowModeForcing>(o);
+        if (!forcing || !const_cast<fv::option&>(o).isActive()) continue;
+        forcing->addPresent(f);
+        forced = true;
+    }
+    if (!forced) return 0;
+    velocity(u);
+    const scalar half = 0.5 * time_.deltaTValue();
+    scalar power = 0;
+    for (direction d = 0; d < 3; ++d)
+    {
+        for (const label k : grid_.index())
+        {
+            power += f[d][k] * (u[d][k] - half * f[d][k]);
+        }
+    }
+    reduce(power, sumOp<scalar>());
+    return power / scalar(mesh_.globalData().nTotalCells());
+}
+
 void Foam::functionObjects::energySpectrum::sumShells()
 {
     staggeredField u(grid_.box());
-    grid_.toStaggered(lookupObject<surfaceScalarField>(phiName_), u);
+    velocity(u);
 
     planeTransform& t = *transform_;
     const planeTransform::rows rows(t.dealtTo(Pstream::myProcNo()));
@@ -186,7 +222,7 @@ bool Foam::functionObjects::energySpectrum::execute()
 {
     lastIndex_ = time_.timeIndex();
     sumShells();
-    const scalar skewed = skewness();
+    const scalar skewed = skewness(), power = forcingPower();
     if (!Pstream::master()) return true;
 
     const scalar dissipation = nu_ * gradient2_;
@@ -202,7 +238,7 @@ bool Foam::functionObjects::energySpectrum::execute()
     file() << time_.value() << tab << total_ << tab << dissipation << tab << rms
            << tab << lambda << tab << rms * lambda / nu_ << tab << integral
            << tab << Foam::pow025(pow3(nu_) / (dissipation + VSMALL)) << tab
-           << integral / (rms + VSMALL) << tab << skewed << endl;
+           << integral / (rms + VSMALL) << tab << skewed << tab << power << endl;
     return true;
 }
 
