@@ -2,7 +2,7 @@
 import glob
 import os
 import numpy as np
-from deformablebodies import Table
+from deformablebodies import Case, Table
 
 
 def difference(a, b, kind="bodies"):
@@ -129,6 +129,15 @@ def increments(folder, nu: float):
         row = rows[abs(rows[:, 0] - float(os.path.basename(os.path.dirname(file)))).argmin()]
         worst = max(worst, abs((3 * longitudinal + 6 * transverse) / r**2 / (row[2] / nu) - 1))
     return "%.2e" % (worst if files else np.inf)
+
+
+def energyBalance(folder, begin: float):
+    """Departure from 1 of the mean power of the forcing over dissipation and growth of the
+    kinetic energy, from a time on."""
+    late = Case(folder).table("spectrum", "turbulence.dat").after(begin)
+    t, K = late["time"], late["kineticEnergy"]
+    mean = lambda name: (0.5 * (late[name][1:] + late[name][:-1]) * np.diff(t)).sum() / (t[-1] - t[0])
+    return "%.4f" % abs(mean("forcingPower") / (mean("dissipation") + (K[-1] - K[0]) / (t[-1] - t[0])) - 1)
 
 
 def kineticEnergy(file, cells: int):
