@@ -216,7 +216,8 @@ class View:
 
     def bar(self, x=0.9, y=0.3, height=0.42):
         """The colours of the tension."""
-        self.scene.AddActor2D(scaleBar(colourTable(self.highest), self.title, x, y, height=height))
+        width = 70 / self.size[0]
+        self.scene.AddActor2D(scaleBar(colourTable(self.highest), self.title, x, y, width, height))
 
     def outline(self):
         """Edges of the box with its axes."""
@@ -304,10 +305,12 @@ def strip(case, picture, group, size=3.1, perRow=4):
         ball = vtk.vtkSphereSource()
         ball.SetCenter(*(points(file)[tip] + at))
         ball.SetRadius(0.035 * size)
+        ball.SetThetaResolution(24)
+        ball.SetPhiResolution(24)
         ball.Update()
         view.actor(ball.GetOutput())[0].GetProperty().SetColor(0.8, 0.25, 0.1)
         view.label("t = %g" % time, at + size * np.array((-0.25, -0.55, 0)))
-    view.bar(0.93, 0.28)
+    view.bar(1 - 100 / view.size[0], 0.28)
     camera = view.scene.GetActiveCamera()
     camera.ParallelProjectionOn()
     middle = (0.5 * (perRow - 1) * size + 0.15 * size, -0.58 * size)

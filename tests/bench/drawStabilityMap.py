@@ -1,11 +1,9 @@
 """drawStabilityMap.py stabilityMap.csv stabilityMap.png: maps of time steps, a row of panels each"""
 import csv
 import sys
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 from matplotlib.patches import Patch, Rectangle
 from matplotlib.lines import Line2D
+from deformablebodies.figures import plt
 
 colours = {"accurate": "#74add1", "fair": "#fee090", "off": "#f46d43", "stopped": "#555555", "noReference": "white"}
 labels = {"accurate": "error below 1 %", "fair": "below 10 %", "off": "more, or warned of", "stopped": "stopped"}

@@ -2,9 +2,7 @@
 import csv
 import shutil
 import sys
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+from deformablebodies.figures import plt
 
 rows = list(csv.DictReader(open(sys.argv[1])))
 figure, axes = plt.subplots(1, 2, figsize=(12, 4), constrained_layout=True)

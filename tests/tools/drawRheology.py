@@ -1,13 +1,10 @@
 """Figure of the study of suspensions: drawRheology.py table.csv picture.png
 
 A row of panels for each Reynolds number of capsules and of fibres; a column for each quantity."""
-import csv
 import re
 import sys
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-import numpy as np
+from deformablebodies import figures
+from deformablebodies.tables import records
 
 quantities = (("viscosity", "error", "relative viscosity"), ("N1", "N1error", r"$N_1/(\mu\dot\gamma)$"),
               ("N2", "N2error", r"$N_2/(\mu\dot\gamma)$"), ("D", None, "mean D"))
@@ -28,25 +25,24 @@ def draw(panels, rows, key, x, look):
     for value, line in lines(rows, key, x):
         for panel, (y, error, _) in zip(panels, quantities):
             bars = [max(float(r[error]), 0) for r in line] if error else None
-            panel.errorbar([x(r) for r in line], [float(r[y]) for r in line], bars, ms=4, capsize=2, lw=1.2,
+            panel.errorbar([x(r) for r in line], [float(r[y]) for r in line], bars,
                            **look(value))
 
 
-rows = list(csv.DictReader(open(sys.argv[1])))
+rows = records(sys.argv[1])
 kinds = [(kind, Re, [r for r in rows if r["point"].startswith("%s.Re%s." % (kind, Re))])
          for kind in ("capsules", "fibres") for Re in ("0.1", "1", "10")]
 kinds = [k for k in kinds if k[2]]
-figure, axes = plt.subplots(len(kinds), 4, figsize=(14, 3.4 * len(kinds) + 0.4), squeeze=False, constrained_layout=True)
+figure, axes = figures.plt.subplots(len(kinds), 4, figsize=(14, 3.4 * len(kinds) + 0.4), squeeze=False)
 for panels, (kind, Re, some) in zip(axes, kinds):
-    shades = lambda values: dict(zip(values, plt.cm.viridis(np.linspace(0, 0.85, len(values)))))
     if kind == "capsules":
         Ca = lambda r: number(r"Ca(\d+\.\d)", r)
-        colour = shades(sorted({Ca(r) for r in some}))
+        colour = figures.shades(sorted({Ca(r) for r in some}))
         draw(panels, some, lambda r: (Ca(r), "rigid" in r["point"]), lambda r: float(r["fraction"]),
              lambda v: {"color": colour[v[0]], "fmt": "s--" if v[1] else "o-",
                         "label": "Ca %g" % v[0] + (", rigid nuclei" if v[1] else "")})
     else:
-        colour = shades(sorted({float(r["fraction"]) for r in some}))
+        colour = figures.shades(sorted({float(r["fraction"]) for r in some}))
         draw(panels, some, lambda r: float(r["fraction"]), lambda r: number(r"B(.*)$", r),
              lambda v: {"color": colour[v], "fmt": "o-", "label": r"$nL^3$ = %g" % v})
     for panel, (_, _, text) in zip(panels, quantities):
@@ -54,7 +50,6 @@ for panels, (kind, Re, some) in zip(axes, kinds):
                   ylabel="end to end" if kind == "fibres" and text == "mean D" else text)
         if kind == "fibres":
             panel.set_xscale("log")
-        panel.grid(alpha=0.3)
     panels[0].set_title("%s, Re %s" % (kind, Re), loc="left")
     panels[0].legend(fontsize=7)
-figure.savefig(sys.argv[2], dpi=100)
+figures.save(figure, sys.argv[2])

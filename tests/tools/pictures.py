@@ -1,21 +1,14 @@
 """Pictures that studies draw of their tables."""
-import csv
 import glob
 import re
 import numpy as np
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-
-
-def rowsOf(table):
-    with open(table) as f:
-        return list(csv.DictReader(f))
+from deformablebodies.figures import plt
+from deformablebodies.tables import records
 
 
 def rigidGaps(table, picture):
     """Resistance of spheres against the gap, measured and from theory."""
-    rows = rowsOf(table)
+    rows = records(table)
     names = {"spheres": "two spheres towards each other", "towards": "sphere towards a wall",
              "along": "sphere along a wall"}
     figure, axes = plt.subplots(1, 3, figsize=(11, 3.6), constrained_layout=True)
@@ -53,7 +46,7 @@ def section(folder, group):
 
 def nucleus(table, picture):
     """D against Ca_G, and outlines of cells and nuclei, of the cases beside the table."""
-    rows = rowsOf(table)
+    rows = records(table)
     colours = {"none": "k", "capsule": "tab:blue", "rigid": "tab:red"}
     names = {"none": "no nucleus", "capsule": "capsule, ten times as stiff", "rigid": "rigid"}
     figure, axes = plt.subplots(1, 4, figsize=(13, 3.6), constrained_layout=True)

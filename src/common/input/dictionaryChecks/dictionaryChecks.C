@@ -25,6 +25,16 @@ void Foam::checkEntries(const dictionary& dict, const wordList& allowed)
     }
 }
 
+void Foam::requireEntry(const dictionary& dict, const word& name)
+{
+    if (dict.findEntry(name)) return;
+    waitForMaster();
+    FatalIOErrorInFunction(dict)
+        << "entry " << name << " is missing in " << dict.name() << nl
+        << "    entries that are there: " << oneOf(dict.toc()).c_str()
+        << exit(FatalIOError);
+}
+
 Foam::wordList Foam::withCoeffs(const dictionary& dict, wordList allowed,
                                 const wordList& functions)
 {
@@ -69,6 +79,7 @@ void Foam::checkDimensions(const dictionary& dict, const word& name,
 Foam::scalar Foam::readNumber(const dictionary& dict, const word& name,
                               const dimensionSet& dims)
 {
+    requireEntry(dict, name);
     checkDimensions(dict, name, dims);
     return dimensionedScalar(name, dims, dict).value();
 }
@@ -124,6 +135,7 @@ Foam::string Foam::valueOf(const entry& e)
 const Foam::dictionary& Foam::readDict(const dictionary& dict, const word& name,
                                        const string& example)
 {
+    requireEntry(dict, name);
     const entry* found = dict.findEntry(name, keyType::LITERAL);
     if (found && !found->isDict())
     {
