@@ -18,9 +18,9 @@ def onDisplay():
     if not os.environ.get("DISPLAY"):
         module = sys.modules["__main__"].__spec__
         program = ["-m", module.name] if module else sys.argv[:1]
-        # Numbers of displays that others are not about to take
-        display = str(100 + os.getpid() % 800)
-        sys.exit(subprocess.call(["xvfb-run", "-a", "-n", display, sys.executable, *program, *sys.argv[1:]]))
+        # A number that others are not about to take; a display that stays as its last window closes
+        display = ["-a", "-n", str(100 + os.getpid() % 800), "-s", "-screen 0 1400x1100x24 -noreset"]
+        sys.exit(subprocess.call(["xvfb-run", *display, sys.executable, *program, *sys.argv[1:]]))
 
 
 def read(file):
