@@ -16,6 +16,10 @@
 Modules: tables (files of columns), case (a case and its results), runs (copies of a case
 with other entries), figures (one look of all plots), bodies3d (pictures of bodies).
 """
+try:
+    import numpy
+except ModuleNotFoundError:
+    raise ModuleNotFoundError("this Python has no numpy: use bin/python of the checkout, or install numpy and matplotlib")
 from .case import Case
 from .runs import sweep
 from .tables import Table

@@ -40,13 +40,23 @@ def points(file):
 
 def shearModulus(case, group):
     """Gs of the membranes of a group [N/m]; None: it has none, or there is no OpenFOAM here."""
+    return number(case, "bodies/%s/membrane/Gs" % group)
+
+
+def number(case, entry):
+    """A number of constant/deformableBodies with all variables replaced; None: not there, or there
+    is no OpenFOAM here."""
     try:
-        done = subprocess.run(["foamDictionary", "constant/deformableBodies", "-entry",
-                               "bodies/%s/membrane/Gs" % group, "-value"], cwd=case.folder,
-                              capture_output=True, text=True)
+        done = subprocess.run(["foamDictionary", "constant/deformableBodies", "-entry", entry, "-value"],
+                              cwd=case.folder, capture_output=True, text=True)
         return float(done.stdout.split()[-1]) if done.returncode == 0 else None
     except (OSError, ValueError, IndexError):
         return None
+
+
+def fibreRadius(case, group):
+    """Half the diameter of the fibres of a group [m]; 0.05 where there is no OpenFOAM here."""
+    return 0.5 * (number(case, "bodies/%s/diameter" % group) or 0.1)
 
 
 def box(case):
@@ -169,7 +179,7 @@ class View:
         if data.GetNumberOfLines():
             tubes = self.vtk.vtkTubeFilter()
             tubes.SetInputData(data)
-            tubes.SetRadius(radius)
+            tubes.SetRadius(radius or fibreRadius(self.case, group))
             tubes.SetNumberOfSides(16)
             tubes.CappingOn()
             tubes.Update()
@@ -182,7 +192,8 @@ class View:
             Gs = shearModulus(self.case, group)
             tension = vtk_to_numpy(data.GetPointData().GetArray("tension1"))
             tension /= Gs or 1
-            self.highest = highest or self.highest or np.quantile(tension, 0.99)
+            # A sphere at the start has round-off only
+            self.highest = highest or self.highest or max(np.quantile(tension, 0.99), 1e-9 if Gs else 1e-300)
             self.title = "T / Gs" if Gs else "T [N/m]"
             actor, mapper = self.actor(smooth(data))
             mapper.ScalarVisibilityOn()
@@ -265,8 +276,8 @@ class View:
 
 
 def suspension(case, picture, radius=None):
-    """All bodies at the last time. radius: of fibres [m], by default half their diameter where
-    constant/scene has it. Membranes around nuclei are seen through; of several groups of fibres
+    """All bodies at the last time. radius: of fibres [m], by default half their diameter.
+    Membranes around nuclei are seen through; of several groups of fibres
     each has a colour, in the order of their names."""
     from . import figures
     view = View(case)
@@ -300,7 +311,8 @@ def strip(case, picture, group, size=3.1, perRow=4):
     highest = max(np.percentile(tension(file), 99) for _, file in chosen) / (shearModulus(case, group) or 1)
     tip = points(chosen[0][1])[:, 0].argmax()
     for k, (time, file) in enumerate(chosen):
-        at = np.array((size * (k % perRow), -1.1 * size * (k // perRow), 0))
+        middle = points(file).mean(0)
+        at = np.array((size * (k % perRow), -1.1 * size * (k // perRow), 0)) - middle
         view.add(group, file, highest=highest, shift=at)
         ball = vtk.vtkSphereSource()
         ball.SetCenter(*(points(file)[tip] + at))
@@ -309,7 +321,7 @@ def strip(case, picture, group, size=3.1, perRow=4):
         ball.SetPhiResolution(24)
         ball.Update()
         view.actor(ball.GetOutput())[0].GetProperty().SetColor(0.8, 0.25, 0.1)
-        view.label("t = %g" % time, at + size * np.array((-0.25, -0.55, 0)))
+        view.label("t = %g" % time, at + middle + size * np.array((-0.25, -0.55, 0)))
     view.bar(1 - 100 / view.size[0], 0.28)
     camera = view.scene.GetActiveCamera()
     camera.ParallelProjectionOn()

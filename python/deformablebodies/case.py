@@ -38,7 +38,7 @@ class Case:
     def entry(self, name, file="constant/scene"):
         """An entry of a dictionary as it stands there: a number, or its text. None: not there."""
         with open(self.path(file)) as f:
-            found = re.search(r"^\s*%s\s+([^;]*?)\s*;" % re.escape(name), f.read(), re.M)
+            found = re.search(r"(?:^|[{;])\s*%s\s+([^;{}]*?)\s*;" % re.escape(name), f.read(), re.M)
         if not found:
             return None
         return float(found[1]) if number.match(found[1]) else found[1]
@@ -56,24 +56,40 @@ class Case:
         return Table.joined(files)
 
     def latest(self, function, name):
-        """The file of the latest start, of a function that sums up the whole run."""
-        return self.pieces(function, name)[-1]
+        """The file of the latest start, of a function that sums up the whole run.
+        FileNotFoundError: it has none."""
+        files = self.pieces(function, name)
+        if not files:
+            raise FileNotFoundError("%s has no postProcessing/%s/*/%s" % (self.folder, function, name))
+        return files[-1]
 
     def bodies(self, group, body=None):
-        """Samples of a group, or of one of its bodies."""
+        """Samples of a group, or of one of its bodies. KeyError: there is no such group or body."""
+        groups = {os.path.basename(file)[:-4] for file in self.pieces("bodies", "*.dat")}
+        if groups and group not in groups:
+            raise KeyError("there is no group '%s', but %s" % (group, " ".join(sorted(groups))))
         table = self.table("bodies", group + ".dat")
-        return table if body is None else table.of(body)
+        if body is None:
+            return table
+        if body not in table["body"]:
+            raise KeyError("there is no body %s of group %s, but %d" % (body, group, len(set(table["body"]))))
+        return table.of(body)
 
     def stress(self):
         return self.table("bulkStress", "bulkStress.dat")
 
     def averages(self):
-        """Means and errors of the bulk stress by name; empty while the transient is not over."""
-        try:
-            table = Table(self.latest("bulkStress", "averages.dat"))
-        except IndexError:
+        """Means and errors of the bulk stress by name; empty where the run found at its end that the
+        transient is not over."""
+        if not self.pieces("bulkStress", "averages.dat"):
             return {}
-        return table.last() if len(table) else {}
+        table = Table(self.latest("bulkStress", "averages.dat"))
+        if not len(table):
+            return {}
+        # Averages are written with the fields, samples more often
+        written = self.times()
+        ended = not written or table["time"][-1] >= 0.999 * float(written[-1])
+        return table.last() if ended else {}
 
     def means(self, function, group):
         """Mean, error (-1: not known) and deviation of each quantity, by bodyStatistics."""
@@ -103,5 +119,11 @@ class Case:
         return sorted(names, key=float)
 
     def field(self, name, time=None):
-        """Values of a field in the cells (see field), by default at the last time."""
-        return field(self.path(time or self.times()[-1], name))
+        """Values of a field in the cells (see field), by default at the last time, else at a time or
+        the name of its folder."""
+        times = self.times()
+        found = [t for t in times if time is None or t == str(time) or float(t) == float(time)]
+        if not found:
+            raise FileNotFoundError("%s has no fields%s, but of times %s" % (
+                self.folder, "" if time is None else " of time %s" % time, " ".join(times)))
+        return field(self.path(found[-1], name))

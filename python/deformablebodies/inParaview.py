@@ -26,7 +26,7 @@ def bodies(case, view, radius):
         if data.GetNumberOfLines():
             shown = simple.Tube(registrationName=group + "Tubes", Input=reader)
             shown.Scalars, shown.Vectors = [None, ""], [None, ""]
-            shown.Radius, shown.NumberofSides = radius, 16
+            shown.Radius, shown.NumberofSides = radius or bodies3d.fibreRadius(case, group), 16
         display = simple.Show(shown, view)
         if data.GetPointData().HasArray("tension1"):
             simple.ColorBy(display, ("POINTS", "tension1"))
@@ -99,4 +99,4 @@ def main(folder, radius, picture=None, film=None):
 
 if __name__ == "__main__":
     given = dict(word.split("=", 1) for word in os.environ.get("DEFORMABLE_BODIES_PARAVIEW", "").split("\n") if word)
-    main(given.get("case", "."), float(given.get("radius", 0.05)), given.get("picture"), given.get("film"))
+    main(given.get("case", "."), float(given["radius"]) if "radius" in given else None, given.get("picture"), given.get("film"))

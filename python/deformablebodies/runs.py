@@ -206,7 +206,7 @@ class Runs:
         raise NotOfTheCase("there is no quantity '%s'%s, allowed: %s" % (
             self.quantity, " of group " + self.group if self.group else "", " ".join(dict.fromkeys(seen))))
 
-    def made(self, label, settings):
+    def made(self, label, settings, repeats=2):
         """Folder of one run with settings (name, value), and its changes and core seconds: from
         an earlier command, or a new run."""
         changes = self.always + settings
@@ -219,7 +219,7 @@ class Runs:
         taken = self.once(folder, changes)
         # Short runs: the fastest of three, as other jobs slow down single runs
         again = folder + "~"
-        for _ in range(2 if taken < 1 and self.left() > 10 * taken else 0):
+        for _ in range(repeats if taken < 1 and self.left() > 10 * taken else 0):
             more = self.once(again, changes)
             if more < taken:
                 taken = more
@@ -315,11 +315,15 @@ def sweep(case, out, settings):
     """Runs copies of a case in out/runs, one for each dictionary of settings (names as of
     accuracyCost, such as {"Ca": 0.1, "deltaT": 1e-3}), and yields the settings and the Case of
     each. Runs of an earlier call that are finished are not repeated. Failed: a run stopped."""
+    if not os.path.isfile(os.path.join(case, "system/controlDict")):
+        raise Failed("%s is no case: there is no system/controlDict" % case)
+    if os.path.abspath(out).startswith(os.path.abspath(case) + os.sep):
+        raise Failed("%s lies in the case, which is not touched: run it elsewhere" % out)
     runs = Runs(argparse.Namespace(case=case, out=os.path.abspath(out), quantity=None, group=None, always=[],
                                    budget=None))
     for some in settings:
         changes = [(name, str(value)) for name, value in some.items()]
-        folder, _ = runs.made(",".join("%s=%s" % c for c in changes) or "asItStands", changes)
+        folder, _ = runs.made(",".join("%s=%s" % c for c in changes) or "asItStands", changes, repeats=0)
         yield some, Case(folder)
 
 

@@ -22,8 +22,11 @@ class Table:
         heads = [line.split()[1:] for line in lines[:2] if line.startswith("#")]
         if heads:
             self.names = heads[0]
-        if len(heads) > 1 and len(heads[1]) == len(self.names):
-            self.units = dict(zip(self.names, (unit.strip("[]") for unit in heads[1])))
+        if len(heads) > 1:
+            # Columns beyond those that are named have the unit of the last
+            units = [unit.strip("[]") for unit in heads[1]]
+            units += units[-1:] * (len(self.names) - len(units))
+            self.units = dict(zip(self.names, units))
         numbers = [line for line in lines if not line.startswith("#") and line.strip()]
         self.rows = np.loadtxt(numbers, ndmin=2) if numbers else np.zeros((0, len(self.names)))
 

@@ -34,6 +34,7 @@ Foam::autoPtr<Foam::bodyGroup> Foam::bodyGroup::New(const word& name,
                                                     const dictionary& dict,
                                                     const bodyScene& scene)
 {
+    requireEntry(dict, "type");
     const word type(dict.get<word>("type"));
     auto cstr = dictionaryConstructorTablePtr_->cfind(type);
     if (!cstr.found())

@@ -216,7 +216,8 @@ Foam::capsuleGroup::numbers
 Foam::capsuleGroup::stressFree(const dictionary& dict,
                                const sphericalHarmonics& fine) const
 {
-    const scalar prestress = dict.getOrDefault<scalar>("prestress", 0);
+    const scalar prestress =
+        dict.found("prestress") ? readNumber(dict, "prestress", dimless) : 0;
     if (!(prestress > -1))
     {
         refuse(dict, "prestress", Foam::name(prestress), "greater than -1");

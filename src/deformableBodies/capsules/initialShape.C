@@ -261,6 +261,7 @@ std::vector<double> expand(const pointOf& shape, const sphericalHarmonics& grid,
 std::vector<double> Foam::initialShape(const dictionary& dict,
                                        const sphericalHarmonics& grid)
 {
+    requireEntry(dict, "type");
     const word type(dict.get<word>("type"));
     const vector axis(dict.getOrDefault<vector>("axis", vector(0, 0, 1)));
     if (!(mag(axis) > 0)) refuse(dict, "axis", "(0 0 0)", "a direction");

@@ -23,6 +23,16 @@ Foam::nucleusReader::nucleusReader(const dictionary& capsules,
     }
     hostRadius_ = std::cbrt(sum(surface.positions & surface.areas) /
                             (4 * constant::mathematical::pi));
+    if (nucleus_.get<word>("type") == "rigid")
+    {
+        Foam::checkEntries(
+            nucleus_,
+            withCoeffs(nucleus_,
+                       {"type", "radiusRatio", "offset", "densityRatio",
+                        "gravity", "velocity", "angularVelocity", "nearField",
+                        "markerSpacing"},
+                       {"velocity", "angularVelocity"}));
+    }
     const scalar ratio = readPositive(nucleus_, "radiusRatio", dimless);
     if (ratio >= 1)
     {
@@ -41,6 +51,7 @@ void Foam::nucleusReader::checkEntries() const
         refuse(capsules_, "nucleus", valueOf(*capsules_.findEntry("nucleus")),
                "nuclei in groups of coupling twoWay");
     }
+    requireEntry(nucleus_, "type");
     const word type(nucleus_.get<word>("type"));
     if (type != "rigid" && type != "capsule")
     {

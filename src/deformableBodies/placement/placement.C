@@ -97,6 +97,7 @@ const dictionary& readPlacement(const dictionary& group)
                 "are");
         }
     }
+    requireEntry(dict, "type");
     const word type(dict.get<word>("type"));
     if (type != "random") refuse(dict, "type", type, "(random)");
     if (label(dict.found("number")) + dict.found("volumeFraction") +

@@ -103,6 +103,7 @@ public:
 
 Foam::rigidShape::rigidShape(const dictionary& dict)
 {
+    requireEntry(dict, "type");
     const word type(dict.get<word>("type"));
     if (type == "sphere")
     {

@@ -80,6 +80,16 @@ Foam::scalar Foam::readNumber(const dictionary& dict, const word& name,
                               const dimensionSet& dims)
 {
     requireEntry(dict, name);
+    const entry& given = *dict.findEntry(name);
+    bool isNumber = false;
+    if (given.isStream())
+    {
+        for (const token& t : given.stream())
+        {
+            isNumber = isNumber || t.isNumber();
+        }
+    }
+    if (!isNumber) refuse(dict, name, valueOf(given), "a number");
     checkDimensions(dict, name, dims);
     return dimensionedScalar(name, dims, dict).value();
 }

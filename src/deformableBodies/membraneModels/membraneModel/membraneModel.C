@@ -12,6 +12,7 @@ defineRunTimeSelectionTable(membraneModel, dictionary);
 Foam::autoPtr<Foam::membraneModel>
 Foam::membraneModel::New(const dictionary& dict)
 {
+    requireEntry(dict, "law");
     const word law(dict.get<word>("law"));
     auto cstr = dictionaryConstructorTablePtr_->cfind(law);
     if (!cstr.found())
