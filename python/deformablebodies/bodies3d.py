@@ -294,7 +294,9 @@ def suspension(case, picture, radius=None):
     view.text("t = %g" % case.pictures(groups[0])[-1][0], 0.02, 0.02)
     if view.title:
         view.bar()
-    view.look()
+    sides = box(case)
+    tall = sides is not None and np.ptp(sides, axis=0).max() > 1.5 * np.ptp(sides, axis=0)[:2].min()
+    view.look(zoom=1.05 if tall else 1.32)
     view.write(picture)
 
 

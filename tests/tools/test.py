@@ -92,7 +92,9 @@ def casesHaveEntriesAndPiecesInTheOrderOfTheirStarts():
     assert case.entry("body") == "sphere" and case.entry("R") is None
     near(case.bodies("cells", 0)["time"], [0, 9.5, 10])
     near(Table(case.latest("bodies", "cells.dat"))["time"], [10, 10])
-    refuses(FileNotFoundError, case.bodies, "others")
+    refuses(KeyError, case.bodies, "others")
+    refuses(KeyError, case.bodies, "cells", 5)
+    refuses(FileNotFoundError, case.stress)
 
 
 def recordsLeaveCommentsOut():
