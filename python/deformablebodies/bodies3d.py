@@ -48,7 +48,7 @@ def number(case, entry):
     is no OpenFOAM here."""
     try:
         done = subprocess.run(["foamDictionary", "constant/deformableBodies", "-entry", entry, "-value"],
-                              cwd=case.folder, capture_output=True, text=True)
+                              cwd=case.home, capture_output=True, text=True)
         return float(done.stdout.split()[-1]) if done.returncode == 0 else None
     except (OSError, ValueError, IndexError):
         return None
@@ -61,7 +61,7 @@ def fibreRadius(case, group):
 
 def box(case):
     """Smallest and largest coordinates of the mesh; None: there is none."""
-    file = case.path("constant/polyMesh/points")
+    file = os.path.join(case.home, "constant/polyMesh/points")
     if not os.path.isfile(file):
         return None
     with open(file, "rb") as f:

@@ -27,17 +27,26 @@ def field(file):
 
 
 class Case:
-    """The case in a folder. Results of all runs that were restarted are put together."""
+    """The case in a folder. Results of all runs that were restarted are put together.
+
+    folder  of its results
+    home    the folder that has its dictionaries: itself, or the nearest one above, where results
+            were put aside
+    """
 
     def __init__(self, folder="."):
-        self.folder = os.path.abspath(folder)
+        self.folder = self.home = os.path.abspath(folder)
+        while not os.path.isdir(os.path.join(self.home, "constant")) and self.home != os.path.dirname(self.home):
+            self.home = os.path.dirname(self.home)
+        if not os.path.isdir(os.path.join(self.home, "constant")):
+            self.home = self.folder
 
     def path(self, *parts):
         return os.path.join(self.folder, *parts)
 
     def entry(self, name, file="constant/scene"):
         """An entry of a dictionary as it stands there: a number, or its text. None: not there."""
-        with open(self.path(file)) as f:
+        with open(os.path.join(self.home, file)) as f:
             found = re.search(r"(?:^|[{;])\s*%s\s+([^;{}]*?)\s*;" % re.escape(name), f.read(), re.M)
         if not found:
             return None

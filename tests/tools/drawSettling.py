@@ -11,7 +11,7 @@ for stiffness, colour in (("1", figures.black), ("0.01", figures.blue)):
     for wide, mark in ((False, "o-"), (True, "s")):
         some = sorted((r for r in rows if r["point"].startswith(stiffness + ".") and r["point"].endswith("wide") == wide),
                       key=lambda r: float(r["fraction"]))
-        for axis, (name, _) in zip(axes, panels):
+        for axis, (name, _) in zip(axes, panels) if some else ():
             bars = [max(float(r["error"]), 0) for r in some] if name == "velocity" else None
             axis.errorbar([100 * float(r["fraction"]) for r in some], [float(r[name]) for r in some], bars, fmt=mark,
                           color=colour, ms=5, mfc="none" if wide else colour,
