@@ -31,8 +31,8 @@ Foam::scalar ofStiffArea(const Foam::scalar areaOverShear)
 // Error of a near field of fewer degrees than 8, with bending at Re 10
 const Foam::scalar ofFewerDegrees = 0.015;
 
-// Least radius in cells for which these laws hold
-const Foam::scalar leastRadius = 3;
+// Least radius in cells and largest Ca_G for which these laws hold
+const Foam::scalar leastRadius = 3, largestCa = 2;
 
 // Error of a sphere due to the smoothing of the kernel: the largest, found for stiff
 // capsules
@@ -230,6 +230,15 @@ Foam::expectedErrors Foam::capsuleReport::errors(const flowScales& flow) const
         {
             e.parts.push_back(inertiaError(Re));
         }
+    }
+    const scalar Ca = group_.scene_.mu * flow.rate * group_.radius_ /
+                      group_.shell_->model().shearModulus();
+    if (Ca > largestCa * (1 + 1e-6))
+    {
+        e.parts.push_back({"softness", -1,
+                           "Ca_G " + number(Ca) + ", measured up to " +
+                               number(largestCa),
+                           nullptr});
     }
     e.parts.push_back(harmonicsError());
     e.parts.push_back(markerError());
