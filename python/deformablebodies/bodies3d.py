@@ -184,10 +184,10 @@ class View:
             tubes.CappingOn()
             tubes.Update()
             actor, _ = self.actor(tubes.GetOutput())
-            actor.GetProperty().SetColor(*(colour or (0.36, 0.50, 0.66)))
+            actor.GetProperty().SetColor(*((0.36, 0.50, 0.66) if colour is None else colour))
         elif not data.GetPointData().HasArray("tension1"):
             actor, _ = self.actor(smooth(data))
-            actor.GetProperty().SetColor(*(colour or (0.80, 0.62, 0.40)))
+            actor.GetProperty().SetColor(*((0.80, 0.62, 0.40) if colour is None else colour))
         else:
             Gs = shearModulus(self.case, group)
             tension = vtk_to_numpy(data.GetPointData().GetArray("tension1"))
@@ -288,7 +288,7 @@ def suspension(case, picture, radius=None):
     opacity = 0.4 if any("Nucleus" in group for group in groups) else 1
     for group in groups:
         membrane = kinds[group].GetPointData().HasArray("tension1")
-        view.add(group, colour=shades.get(group, (None,))[:3] if group in shades else None, radius=radius,
+        view.add(group, colour=shades[group][:3] if group in shades else None, radius=radius,
                  opacity=opacity if membrane else 1)
     view.outline()
     view.text("t = %g" % case.pictures(groups[0])[-1][0], 0.02, 0.02)
