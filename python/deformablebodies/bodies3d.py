@@ -32,10 +32,15 @@ def read(file):
     return reader.GetOutput()
 
 
-def points(file):
-    """Coordinates of its points, n x 3."""
+def pointsOf(data):
+    """Coordinates of the points of a surface or of lines, n x 3."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
-    return vtk_to_numpy(read(file).GetPoints().GetData()).astype(float)
+    return vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+
+
+def points(file):
+    """The same of a file .vtp."""
+    return pointsOf(read(file))
 
 
 def shearModulus(case, group):

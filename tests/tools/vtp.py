@@ -4,24 +4,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkPolyDataConnectivityFilter, vtkTriangleFilter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-
-
-def read(file):
-    """The file as VTK has it."""
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(file)
-    reader.Update()
-    return reader.GetOutput()
-
-
-def pointsOf(data):
-    """Coordinates, n x 3."""
-    return vtk_to_numpy(data.GetPoints().GetData()).astype(float)
-
-
-def points(file):
-    return pointsOf(read(file))
+from deformablebodies.bodies3d import points, pointsOf, read
 
 
 def array(data, name):
