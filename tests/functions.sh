@@ -35,6 +35,20 @@ asked()
     return 1
 }
 
+# isMissing <point> <folder>: to be run, as it is asked for and was not run to its end
+isMissing() { isLong && asked "$1" && ! [ -e "$2/done" ]; }
+
+# hasState <folder>: of a run that was broken off
+hasState() { ls "$1"/[1-9]* > /dev/null 2>&1; }
+
+# toItsEnd <point> <folder>: begins or goes on from the last state; leaves the file done
+toItsEnd()
+{
+    cd "$2" || return
+    deformableBodyFoam > "log.run.$(ls log.run.* 2> /dev/null | wc -l)" 2>&1 && touch done
+    check "$1 runs to its end" test -e done
+}
+
 # End of a script with -quick
 endOfQuick() { ! isQuick || finish; }
 

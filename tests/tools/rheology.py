@@ -17,6 +17,11 @@ def seconds():
     return sum(float(re.findall(r"ExecutionTime = (\S+)", open(f).read())[-1]) for f in glob.glob("log.run.*"))
 
 
+def isSteady():
+    """yes where the run found at its end that the transient is over."""
+    return "yes" if case.averages() else "no"
+
+
 def row(name):
     """A line of the table."""
     a = case.averages()
