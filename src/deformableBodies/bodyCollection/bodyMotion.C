@@ -179,6 +179,11 @@ void Foam::bodyMotion::move(const labelUList& groups,
     {
         interactions->resist(groups, U, lineDensity, step);
     }
+    if (system_.films && groups.size() &&
+        system_.groups[groups[0]].forcing() == forcingType::ofSurfaces)
+    {
+        system_.films->act(groups, U, lineDensity, step);
+    }
     for (const label g : groups)
     {
         trouble_.note(system_.groups[g].move(U, lineDensity, step));

@@ -138,4 +138,14 @@ void Foam::bodyReader::readNeighbourField(const bodyScene& scene)
         system_.neighbourFields.reset(
             new neighbourField(system_.groups, scene, !between));
     }
+    const bool films = between && squeezeFilms::arePossible(system_.groups);
+    system_.effects.declare("squeezeFilms", films,
+                            films     ? squeezeFilms::describe()
+                            : between ? "no spheres that could be pressed together"
+                                      : "no near field between bodies");
+    if (films)
+    {
+        system_.films.reset(new squeezeFilms(system_.groups,
+                                             *system_.neighbourFields, scene));
+    }
 }

@@ -139,6 +139,28 @@ void Foam::neighbourField::findPairs(const label a, const label b)
     }
 }
 
+std::vector<Foam::neighbourField::closeSpheres>
+Foam::neighbourField::spheresWithin(const scalar most) const
+{
+    std::vector<closeSpheres> all;
+    for (const pair& p : pairs_)
+    {
+        const bodyHere &a = here_[p.a], &b = here_[p.b];
+        if (!a.mine || b.wall >= 0 ||
+            !groups_[a.group].nearSources()->makesFilms() ||
+            !groups_[b.group].nearSources()->makesFilms())
+        {
+            continue;
+        }
+        const vector r(a.centre - (b.centre + p.shift));
+        const scalar gap = mag(r) - a.radius - b.radius;
+        if (gap >= most) continue;
+        all.push_back(
+            {a.number, b.number, r / mag(r), gap, a.radius, b.radius});
+    }
+    return all;
+}
+
 const Foam::nearField& Foam::neighbourField::sumFor(const scalar spacing,
                                                     const scalar mu)
 {

@@ -120,6 +120,7 @@ Foam::scalarList Foam::rigidGroup::state(const label i) const
             save(v);
         }
     }
+    save(x.film);
     return scalarList(std::move(s));
 }
 
@@ -127,12 +128,13 @@ Foam::point Foam::rigidGroup::centreOf(const scalarList& state,
                                        const label number,
                                        const dictionary& source) const
 {
-    if (state.size() < 19 || (state.size() - 19) % 6 != 0)
+    // States of before there were films lack its force
+    if (state.size() < 19 || (state.size() - 19) % 3 != 0)
     {
         waitForMaster();
         FatalIOErrorInFunction(source)
             << "the saved state of body " << number << " of group " << name()
-            << " has " << state.size() << " numbers where 19 and 6 for each "
+            << " has " << state.size() << " numbers where 22 and 6 for each "
             << "marker belong" << exit(FatalIOError);
     }
     return point(state[0], state[1], state[2]);
@@ -178,4 +180,5 @@ void Foam::rigidGroup::restore(body& x, const label number,
             v = read();
         }
     }
+    if ((state.size() - 19) % 6 == 3) x.film = read();
 }

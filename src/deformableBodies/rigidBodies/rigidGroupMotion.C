@@ -115,34 +115,95 @@ Foam::scalarField Foam::rigidGroup::gains(const scalar* density,
     return c;
 }
 
+Foam::rigidGroup::surroundings
+Foam::rigidGroup::surround(const label i, const vector* U,
+                           const scalar* density, const bodyStep& s)
+{
+    body& x = bodies_[i];
+    surroundings around{surfaceVelocity(i, U), gains(density, s), Zero, Zero};
+    if (scene_.forces.actOn(name(), mine()[i]))
+    {
+        vectorField F(surface_.size(), Zero);
+        scene_.forces.add(
+            name(), mine()[i], [&]() { return points(i); }, s.time,
+            scene_.effects, F);
+        around.force = sum(F);
+        around.torque = sum((x.turn.R() & surface_) ^ F);
+    }
+
+    // The change is that of the mesh's velocity only: the near field is that of
+    // forces, and its change would be answered twice
+    const vectorField change(x.change(U, x.dt == 0));
+    if (!s.predicted) around.U += 0.5 * change;
+    return around;
+}
+
+template<class Visit>
+void Foam::rigidGroup::step(body& x, const surroundings& around,
+                            const bodyStep& s, Visit visit) const
+{
+    const scalar fluidMass = scene_.rho * shape_.volume();
+    const rigidStep::properties properties{
+        densityRatio_, fluidMass, fluidMass * shape_.inertia(),
+        sqr(shape_.radius()) * scene_.rho / (20.2 * scene_.mu),
+        meanNearMobility_};
+    const vectorField r(x.X - (x.centre + s.dt * x.velocity));
+    const tensor R(isSphere() ? tensor::I : x.turn.R());
+    const vectorField w(R & perVolume_);
+    const rigidStep step(properties, s.dt, r, around.U, around.gains, w);
+
+    vector V, W;
+    const auto load = [&](const scalar time)
+    {
+        if (velocity_.valid()) V = velocity_->value(time);
+        if (angularVelocity_.valid()) W = angularVelocity_->value(time);
+        return rigidStep::load{around.force, around.torque,
+                               velocity_.valid() ? &V : nullptr,
+                               angularVelocity_.valid() ? &W : nullptr};
+    };
+    if (x.dt == 0) step.start(x, load(s.time - s.dt));
+    visit(step, load(s.time));
+}
+
+std::vector<Foam::rigidStep::answer>
+Foam::rigidGroup::answers(const vector* U, const scalar* density,
+                          const bodyStep& s)
+{
+    const auto timing(scene_.effects.time("rigid"));
+    std::vector<rigidStep::answer> all;
+    around_.clear();
+    forAll(mine(), i)
+    {
+        body& x = bodies_[i];
+        around_.push_back(surround(i, U, density, s));
+        step(x, around_.back(), s,
+             [&](const rigidStep& step, const rigidStep::load& load)
+             { all.push_back(step.solve(x, x.forces, load)); });
+        U += markers_.size();
+        density += markers_.size();
+    }
+    return all;
+}
+
 Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
                                     const bodyStep& s)
 {
     const auto timing(scene_.effects.time("rigid"));
     string trouble;
+    const bool known = around_.size();
     forAll(mine(), i)
     {
         body& x = bodies_[i];
         const label n = markers_.size(), number = mine()[i];
-        vector force(Zero), torque(Zero);
-        if (scene_.forces.actOn(name(), number))
-        {
-            vectorField F(surface_.size(), Zero);
-            scene_.forces.add(
-                name(), number, [&]() { return points(i); }, s.time,
-                scene_.effects, F);
-            force = sum(F);
-            torque = sum((x.turn.R() & surface_) ^ F);
-        }
-        vectorField u(surfaceVelocity(i, U));
-
-        // The change is that of the mesh's velocity only: the near field is that of
-        // forces, and its change would be answered twice
-        const vectorField change(x.change(U, x.dt == 0));
-        if (!s.predicted) u += 0.5 * change;
+        surroundings around(known ? std::move(around_[i])
+                                  : surround(i, U, density, s));
+        around.force += x.film;
         const vector before(x.velocity);
         const bool sameStep = mag(x.dt - s.dt) < 0.01 * s.dt;
-        advance(x, u, gains(density, s), force, torque, s);
+        step(x, around, s,
+             [&](const rigidStep& step, const rigidStep::load& load)
+             { step.advance(x, x.forces, load); });
+        x.dt = s.dt;
         if (s.unsteady && s.unsteady->empty())
         {
             *s.unsteady = unsteady(
@@ -155,7 +216,7 @@ Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
         }
 
         // Implicit solvers of the fluid bear no such force for long
-        const scalar cells = s.dt * slipOf(x, u) / h_;
+        const scalar cells = s.dt * slipOf(x, around.U) / h_;
         if (!(cells < 20))
         {
             OStringStream os;
@@ -168,32 +229,6 @@ Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
         U += n;
         density += n;
     }
+    around_.clear();
     return trouble;
-}
-
-void Foam::rigidGroup::advance(body& x, const vectorField& U,
-                               const scalarField& gain, const vector& force,
-                               const vector& torque, const bodyStep& s) const
-{
-    const scalar fluidMass = scene_.rho * shape_.volume();
-    const rigidStep::properties properties{
-        densityRatio_, fluidMass, fluidMass * shape_.inertia(),
-        sqr(shape_.radius()) * scene_.rho / (20.2 * scene_.mu),
-        meanNearMobility_};
-    const vectorField r(x.X - (x.centre + s.dt * x.velocity));
-    const tensor R(isSphere() ? tensor::I : x.turn.R());
-    const vectorField w(R & perVolume_);
-    const rigidStep step(properties, s.dt, r, U, gain, w);
-
-    vector V, W;
-    const auto load = [&](const scalar time)
-    {
-        if (velocity_.valid()) V = velocity_->value(time);
-        if (angularVelocity_.valid()) W = angularVelocity_->value(time);
-        return rigidStep::load{force, torque, velocity_.valid() ? &V : nullptr,
-                               angularVelocity_.valid() ? &W : nullptr};
-    };
-    if (x.dt == 0) step.start(x, load(s.time - s.dt));
-    step.advance(x, x.forces, load(s.time));
-    x.dt = s.dt;
 }

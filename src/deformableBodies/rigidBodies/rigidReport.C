@@ -67,7 +67,7 @@ std::vector<Foam::errorIndicator> Foam::rigidReport::indicators() const
         const scalar a = group_.shape_.radius();
         const scalar speed = mag(x.velocity) + mag(x.angularVelocity) * a;
         const scalar ofForce =
-            mag(sum(x.forces)) /
+            mag(sum(x.forces) - x.film) /
             (6 * constant::mathematical::pi * group_.scene_.mu * a);
         slip = max(slip, x.slip / max(max(speed, ofForce), VSMALL));
     }
@@ -103,12 +103,12 @@ std::vector<Foam::bodyColumn> Foam::rigidReport::columns() const
             {"slip", "m/s", true}};
 }
 
-// Force and torque are those on the fluid; the stresslet over the volume of the box
+// Force and torque are those on the fluid, films included; the stresslet over the volume of the box
 // is the body's part of the stress
 Foam::scalarList Foam::rigidReport::sample(const label i) const
 {
     const auto& x = group_.bodies_[i];
-    const vector force(sum(x.forces));
+    const vector force(sum(x.forces) - x.film);
     vector torque(Zero);
     symmTensor stresslet(Zero);
     const tensor R(x.turn.R());

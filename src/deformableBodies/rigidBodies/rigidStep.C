@@ -55,6 +55,18 @@ Foam::rigidStep::rigidStep(const properties& body, const scalar dt,
         lever_ += gain[k] * r[k];
         sumU_ += gain[k] * U[k];
     }
+    forAll(w, k)
+    {
+        inside_ += (w[k] & U[k]) * r[k];
+    }
+
+    // The fluid inside moves with the mesh's part of V: less what the near field adds,
+    // which changes with F
+    mass_ = (body.densityRatio - 1) * body.fluidMass / dt;
+    innerMass_ = body.fluidMass / dt * body.nearMobility / r.size();
+    missing_ = w.empty() ? 0
+                         : max(scalar(0),
+                               -5 * mass_ / (1 + innerMass_) - sumGain_);
 }
 
 void Foam::rigidStep::start(motion& m, const load& given) const
@@ -71,8 +83,9 @@ void Foam::rigidStep::start(motion& m, const load& given) const
     m.spin = turned(body_.inertia, m.turn) & m.angularVelocity;
 }
 
-void Foam::rigidStep::advance(motion& m, vectorField& forces,
-                              const load& given) const
+Foam::rigidStep::answer Foam::rigidStep::solve(const motion& m,
+                                               const vectorField& forces,
+                                               const load& given) const
 {
     const tensor inertia(turned(body_.inertia, m.turn));
     const scalar ratio = body_.densityRatio;
@@ -87,25 +100,14 @@ void Foam::rigidStep::advance(motion& m, vectorField& forces,
         torque += r_[k] ^ f;
     }
 
-    // The fluid inside moves with the mesh's part of V: less what the near field adds,
-    // which changes with F
-    const scalar mass = (ratio - 1) * body_.fluidMass / dt_;
-    const scalar innerMass =
-        body_.fluidMass / dt_ * body_.nearMobility / r_.size();
-    const scalar missing =
-        w_.empty() ? 0 : max(scalar(0), -5 * mass / (1 + innerMass) - sumGain_);
-    vector inside(Zero);
-    forAll(w_, k)
-    {
-        inside += (w_[k] & U_[k]) * r_[k];
-    }
-
     const tensor J((ratio - follows) / dt_ * inertia + torqueOfSpin_);
     const tensor cross(0, -lever_.z(), lever_.y(), lever_.z(), 0, -lever_.x(),
                        -lever_.y(), lever_.x(), 0); // cross & V = lever x V
-    const vector push(given.force + mass * m.velocity +
-                      innerMass * sum(forces) +
-                      (1 + innerMass) * (missing * inside - force));
+    const scalar resistance =
+        mass_ + (1 + innerMass_) * (sumGain_ + missing_);
+    const vector push(given.force + mass_ * m.velocity +
+                      innerMass_ * sum(forces) +
+                      (1 + innerMass_) * (missing_ * inside_ - force));
     const vector twist(
         given.torque + ratio / dt_ * (inertia & m.angularVelocity) -
         ratio * (m.angularVelocity ^ (inertia & m.angularVelocity)) -
@@ -116,9 +118,8 @@ void Foam::rigidStep::advance(motion& m, vectorField& forces,
     {
         for (direction j = 0; j < 3; ++j)
         {
-            A(i, j) =
-                i == j ? mass + (1 + innerMass) * (sumGain_ + missing) : 0;
-            A(i, 3 + j) = (1 + innerMass) * forceOfSpin_(i, j);
+            A(i, j) = i == j ? resistance : 0;
+            A(i, 3 + j) = (1 + innerMass_) * forceOfSpin_(i, j);
             A(3 + i, j) = cross(i, j);
             A(3 + i, 3 + j) = J(i, j);
         }
@@ -128,16 +129,25 @@ void Foam::rigidStep::advance(motion& m, vectorField& forces,
     prescribe(A, b, 0, given.velocity);
     prescribe(A, b, 3, given.angularVelocity);
     const column y(A.partialPivLu().solve(b));
-    const vector V(y[0], y[1], y[2]), W(y[3], y[4], y[5]);
+    return {vector(y[0], y[1], y[2]), vector(y[3], y[4], y[5]),
+            given.velocity ? 0 : 1 / resistance};
+}
 
+void Foam::rigidStep::advance(motion& m, vectorField& forces,
+                              const load& given) const
+{
+    const answer y(solve(m, forces, given));
+    const vector &V = y.velocity, &W = y.angularVelocity;
     forAll(r_, k)
     {
         forces[k] += gain_[k] * (V + (W ^ r_[k]) - U_[k]);
     }
     forAll(w_, k)
     {
-        forces[k] += missing * (r_[k] & (V - inside)) * w_[k];
+        forces[k] += missing_ * (r_[k] & (V - inside_)) * w_[k];
     }
+    const tensor inertia(turned(body_.inertia, m.turn));
+    const scalar follows = dt_ / (body_.relaxation + dt_);
     m.spin += follows * ((inertia & W) - m.spin);
     m.turn = rotationBy(0.5 * dt_ * (m.angularVelocity + W)) * m.turn;
     m.turn /= mag(m.turn);

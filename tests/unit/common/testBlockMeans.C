@@ -79,6 +79,25 @@ TEST(blockMeans, aTransientThatGoesOnIsSaidToBe)
     EXPECT_EQ(means.afterTransient(0), means.nBlocks());
 }
 
+TEST(blockMeans, aTrendUnderNoiseIsATransient)
+{
+    // To the end of the run a third of the way to the steady value is left
+    blockMeans trend(1), steady(1);
+    noisyStart s;
+    for (label i = 1; i <= 2000; ++i)
+    {
+        const scalar t = 0.1 * i, noise = 0.02 * (s.next(0.1)[0] - 3);
+        trend.add(t, 0.1, scalarList(1, 1 - std::exp(-t / 180) + noise));
+        steady.add(t, 0.1, scalarList(1, 1 - std::exp(-t / 4) + noise));
+    }
+    EXPECT_EQ(trend.afterTransient(0), trend.nBlocks());
+    EXPECT_LT(steady.afterTransient(0), steady.nBlocks());
+
+    // A mean that is asked for all the same has the trend in its error
+    const blockMeans::mean m(trend.of(0, trend.firstFrom(100)));
+    EXPECT_GT(m.error, 0.1);
+}
+
 TEST(blockMeans, aStateGoesOnExactly)
 {
     blockMeans whole(2), second(2);

@@ -2,6 +2,7 @@
 
 #include "blockMeans.H"
 #include <cmath>
+#include <utility>
 
 Foam::blockMeans::blockMeans(const label nValues)
     : nValues_(nValues),
@@ -67,38 +68,70 @@ Foam::label Foam::blockMeans::afterTransient(const label value) const
         least = variance;
         first = b;
     }
+    const auto changes = [&](const label b)
+    { return mag(change(value, b)) > 1e-3 * mag(of(value, b).value); };
+    while (first < nBlocks() / 2 && changes(first))
+        ++first;
     return first >= nBlocks() / 2 ? nBlocks() : first;
 }
 
-Foam::blockMeans::mean Foam::blockMeans::of(const label value,
-                                            const label first) const
+Foam::blockMeans::mean Foam::blockMeans::over(const label value,
+                                              const label first,
+                                              const label end) const
 {
-    scalar weight = open_.weight, sum = open_.sums[value];
-    for (label b = first; b < nBlocks(); ++b)
+    const auto sums = [&](const label from, const label to)
     {
-        weight += blocks_[b].weight;
-        sum += blocks_[b].sums[value];
-    }
-    mean m{sum / max(weight, VSMALL), -1};
-    const label n = nBlocks() - first;
+        std::pair<scalar, scalar> all(0, 0);
+        for (label b = from; b < to; ++b)
+        {
+            all.first += blocks_[b].weight;
+            all.second += blocks_[b].sums[value];
+        }
+        return all;
+    };
+    const std::pair<scalar, scalar> all(sums(first, end));
+    mean m{all.second / max(all.first, VSMALL), -1};
+    const label n = end - first;
     for (label size = 1; n / size >= leastBatches; size *= 2)
     {
         const label batches = n / size;
         scalar squares = 0;
         for (label k = 0; k < batches; ++k)
         {
-            scalar w = 0, s = 0;
-            for (label b = nBlocks() - (k + 1) * size; b < nBlocks() - k * size;
-                 ++b)
-            {
-                w += blocks_[b].weight;
-                s += blocks_[b].sums[value];
-            }
-            squares += sqr(s / w - m.value);
+            const std::pair<scalar, scalar> batch(
+                sums(end - (k + 1) * size, end - k * size));
+            squares += sqr(batch.second / batch.first - m.value);
         }
         m.error =
             max(m.error, std::sqrt(squares / (batches * (batches - 1.0))));
     }
+    return m;
+}
+
+Foam::scalar Foam::blockMeans::change(const label value,
+                                      const label first) const
+{
+    const label middle = (first + nBlocks()) / 2;
+    const mean early(over(value, first, middle)),
+        late(over(value, middle, nBlocks()));
+    const scalar by = late.value - early.value;
+    const bool known = early.error >= 0 && late.error >= 0;
+    return known && sqr(by) > 16 * (sqr(early.error) + sqr(late.error)) ? by
+                                                                        : 0;
+}
+
+Foam::blockMeans::mean Foam::blockMeans::of(const label value,
+                                            const label first) const
+{
+    mean m(over(value, first, nBlocks()));
+    scalar weight = open_.weight, sum = open_.sums[value];
+    for (label b = first; b < nBlocks(); ++b)
+    {
+        weight += blocks_[b].weight;
+        sum += blocks_[b].sums[value];
+    }
+    m.value = sum / max(weight, VSMALL);
+    if (m.error >= 0) m.error = max(m.error, mag(change(value, first)));
     return m;
 }
 

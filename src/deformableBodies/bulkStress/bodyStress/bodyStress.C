@@ -23,6 +23,12 @@ Foam::scalar Foam::bodyStress::contrast(const label g) const
     return system_.contrast ? system_.excessViscosity(g) : 0;
 }
 
+bool Foam::bodyStress::hasFilms() const
+{
+    return system_.films ||
+           (system_.interactions && system_.interactions->resists());
+}
+
 Foam::wordList Foam::bodyStress::names() const
 {
     DynamicList<word> all;
@@ -45,8 +51,8 @@ Foam::wordList Foam::bodyStress::names() const
     {
         all.append("contacts");
         all.append("wallContacts");
-        if (system_.interactions->resists()) all.append("films");
     }
+    if (hasFilms()) all.append("films");
     all.append("netForces");
     return wordList(std::move(all));
 }
@@ -75,6 +81,7 @@ void Foam::bodyStress::addForces(const label g, tensor& own, tensor& couple,
         {
             sum -= system_.interactions->forceOn(g, group.mine()[i]);
         }
+        if (system_.films) sum -= system_.films->forceOn(g, i);
         vector arm(centre - middle);
         for (direction d = 0; d < 3; ++d)
         {
@@ -127,10 +134,13 @@ Foam::tensorField Foam::bodyStress::parts() const
     {
         all.append(-perVolume * system_.interactions->contactMoment());
         all.append(-perVolume * system_.interactions->wallMoment());
-        if (system_.interactions->resists())
-        {
-            all.append(-perVolume * system_.interactions->filmMoment());
-        }
+    }
+    if (hasFilms())
+    {
+        tensor films(Zero);
+        if (system_.interactions) films += system_.interactions->filmMoment();
+        if (system_.films) films += system_.films->moment();
+        all.append(-perVolume * films);
     }
     all.append(-perVolume * net);
     tensorField sums(std::move(all));

@@ -22,8 +22,7 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
     // A fibre that crosses another stops within a quarter of the range, and rests at half
     // the range, or at a twentieth where the flow presses with all its drag (Morse). Drag
     // leaves coast/(coast + R) of its energy. The step bears R (m/dt + c)/(3 dt) with a
-    // quarter of mass and drag (see contactLoad::borne), and a quarter of this load for
-    // several contacts at once
+    // quarter of mass and drag (see contactLoad::borne)
     const auto strength = [&](const scalar range)
     {
         contactStrength all{0, "mu h^2/(4 deltaT)",
@@ -34,7 +33,7 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
             const scalar byFlow = load.force - load.own, dt = scene.deltaT;
             all.most = max(all.most, max(3 * load.own + byFlow,
                                          range * (load.mass / dt + load.drag) /
-                                             (48 * dt)));
+                                             (12 * dt)));
             const scalar coast = load.mass * load.speed / load.drag;
             const scalar S =
                 load.own + byFlow / 20 +

@@ -67,9 +67,10 @@ Foam::contactLoad Foam::contactLoad::of(const PtrList<bodyGroup>& groups,
                           : load.own > 0   ? 0
                                            : scene.mu / (scene.rho * size);
     load.force = load.own + load.drag * byFlow + square * sqr(byFlow);
-    load.speed = byFlow + (std::sqrt(sqr(load.drag) + 4 * square * load.own) -
-                           load.drag) /
-                              (2 * square);
+    const scalar falling =
+        (std::sqrt(sqr(load.drag) + 4 * square * load.own) - load.drag) /
+        (2 * square);
+    load.speed = byFlow + (load.isSurface ? 1 : 2) * falling;
     OStringStream os;
     os.precision(3);
     os << group.name().c_str() << ": weight and loads " << load.own

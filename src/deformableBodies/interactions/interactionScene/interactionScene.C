@@ -28,6 +28,7 @@ Foam::interactionScene::of(const fvMesh& mesh, const PtrList<bodyGroup>& groups,
                          0,
                          GREAT,
                          List<contactLoad>(),
+                         nearField,
                          nearField};
     forAll(groups, g)
     {
@@ -35,6 +36,8 @@ Foam::interactionScene::of(const fvMesh& mesh, const PtrList<bodyGroup>& groups,
         all.loads.append(contactLoad::of(groups, g, flow, scene,
                                          mesh.time().startTime().value()));
         all.add(groups[g].points(-1));
+        const nearSurface* surface = groups[g].nearSources();
+        all.films = all.films && surface && surface->makesFilms();
     }
     return all;
 }

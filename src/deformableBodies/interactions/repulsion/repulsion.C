@@ -79,14 +79,15 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
 
     // Membranes that inertia presses together cross at 1 h (a Reynolds number of the body
     // is three times the Stokes number)
-    bool near = scene.nearField;
+    scalar cells = scene.films ? 0.6 : scene.nearField ? 1 : 1.5;
     for (const contactLoad& load : scene.loads)
     {
-        if (load.softness < GREAT && load.stokesNumber() > 0.5) near = false;
+        if (load.softness < GREAT && load.stokesNumber() > 0.5) cells = 1.5;
+        if (scene.films && load.stokesNumber() > 10) cells = 1;
     }
-    return contactLaw(
-        dict, scene.grid, (near ? 1 : 1.5) * cmptMax(scene.grid.h()), strength,
-        dimPressure, scene.deltaT, 0.25 * scene.mu / scene.deltaT);
+    return contactLaw(dict, scene.grid, cells * cmptMax(scene.grid.h()),
+                      strength, dimPressure, scene.deltaT,
+                      0.25 * scene.mu / scene.deltaT);
 }
 } // namespace
 
