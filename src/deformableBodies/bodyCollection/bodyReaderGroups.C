@@ -138,10 +138,10 @@ void Foam::bodyReader::readNeighbourField(const bodyScene& scene)
         system_.neighbourFields.reset(
             new neighbourField(system_.groups, scene, !between));
     }
-    const bool films = between && squeezeFilms::arePossible(system_.groups);
+    const bool films = between && squeezeFilms::arePossible(system_.groups, system_.grid);
     system_.effects.declare("squeezeFilms", films,
                             films     ? squeezeFilms::describe()
-                            : between ? "no spheres that could be pressed together"
+                            : between ? "no rigid spheres that could be pressed together"
                                       : "no near field between bodies");
     if (films)
     {

@@ -146,17 +146,18 @@ Foam::neighbourField::spheresWithin(const scalar most) const
     for (const pair& p : pairs_)
     {
         const bodyHere &a = here_[p.a], &b = here_[p.b];
-        if (!a.mine || b.wall >= 0 ||
+        const bool own = b.wall >= 0 && a.number == b.number;
+        if (!a.mine || (b.wall >= 0 && !own) ||
             !groups_[a.group].nearSources()->makesFilms() ||
             !groups_[b.group].nearSources()->makesFilms())
         {
             continue;
         }
         const vector r(a.centre - (b.centre + p.shift));
-        const scalar gap = mag(r) - a.radius - b.radius;
+        const scalar gap = (mag(r) - a.radius - b.radius) / (own ? 2 : 1);
         if (gap >= most) continue;
-        all.push_back(
-            {a.number, b.number, r / mag(r), gap, a.radius, b.radius});
+        all.push_back({a.number, own ? -1 : b.number, r / mag(r), gap, a.radius,
+                       own ? 0 : b.radius});
     }
     return all;
 }

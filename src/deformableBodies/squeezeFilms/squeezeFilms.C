@@ -50,9 +50,14 @@ Foam::squeezeFilms::squeezeFilms(PtrList<bodyGroup>& groups,
 {
 }
 
-bool Foam::squeezeFilms::arePossible(const PtrList<bodyGroup>& groups)
+bool Foam::squeezeFilms::arePossible(const PtrList<bodyGroup>& groups,
+                                     const uniformGrid& grid)
 {
     label n = 0;
+    for (const auto& sides : wallSides(grid))
+    {
+        if (sides[0] || sides[1]) n = 1;
+    }
     for (const bodyGroup& group : groups)
     {
         if (spheresOf(group)) n += group.nBodies();
@@ -62,8 +67,8 @@ bool Foam::squeezeFilms::arePossible(const PtrList<bodyGroup>& groups)
 
 Foam::string Foam::squeezeFilms::describe()
 {
-    return "between rigid spheres, gaps below " + Foam::name(largestGap) +
-           " cells";
+    return "between rigid spheres, and at walls, gaps below " +
+           Foam::name(largestGap) + " cells";
 }
 
 Foam::scalar Foam::squeezeFilms::lack(const scalar gap)
@@ -75,13 +80,23 @@ Foam::scalar Foam::squeezeFilms::lack(const scalar gap)
            (1 - std::pow(gap / largestGap, 8));
 }
 
+Foam::scalar Foam::squeezeFilms::lackAtWall(const scalar gap)
+{
+    // Measured at radii of 3, 4 and 6 cells: 0.66 to 0.71 at 0.25 cells, 0.41 to 0.47 at 0.5,
+    // 0.01 to 0.08 at 1; at 4 cells 0.87 at 0.1
+    if (gap >= largestGap) return 0;
+    return std::exp(-gap * (1.36 + gap * (0.45 + 0.85 * gap)));
+}
+
 Foam::scalar Foam::squeezeFilms::resistance(
     const neighbourField::closeSpheres& s) const
 {
-    const scalar R = s.radiusA * s.radiusB / (s.radiusA + s.radiusB);
+    const bool wall = s.b < 0;
+    const scalar R =
+        wall ? s.radiusA : s.radiusA * s.radiusB / (s.radiusA + s.radiusB);
     const scalar gap = max(s.gap / h_, smallestGap);
     return 6 * constant::mathematical::pi * mu_ * sqr(R) / (gap * h_) *
-           lack(gap);
+           (wall ? lackAtWall(gap) : lack(gap));
 }
 
 std::vector<Foam::squeezeFilms::film> Foam::squeezeFilms::find() const
@@ -146,9 +161,10 @@ Foam::squeezeFilms::solve(const std::vector<film>& films,
     for (label p = 0; p < n; ++p)
     {
         const film& f = films[p];
-        right[p] =
-            -(f.n & (bodies.at(f.a).velocity - bodies.at(f.b).velocity));
+        right[p] = -(f.n & bodies.at(f.a).velocity);
         ofBody[f.a].emplace_back(p, 1);
+        if (f.b < 0) continue;
+        right[p] += f.n & bodies.at(f.b).velocity;
         ofBody[f.b].emplace_back(p, -1);
     }
     std::vector<Eigen::Triplet<scalar>> entries;
@@ -210,7 +226,7 @@ void Foam::squeezeFilms::act(const labelUList& groups, const vector* U,
     {
         const film& f = films[p];
         bodies[f.a].force += F[p] * f.n;
-        bodies[f.b].force -= F[p] * f.n;
+        if (f.b >= 0) bodies[f.b].force -= F[p] * f.n;
         if (Pstream::master()) moment_ += f.apart * F[p] * f.n * f.n;
     }
     for (const label g : groups)
