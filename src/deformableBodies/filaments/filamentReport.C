@@ -135,7 +135,8 @@ std::vector<Foam::bodyColumn> Foam::filamentReport::columns() const
             {"velocityZ", "m/s"}, {"axisX", "1"},
             {"axisY", "1"},       {"axisZ", "1"},
             {"spin", "1/s"},      {"curvature", "1/m"},
-            {"endsAlong", "m/s"}, {"endsAcross", "m/s"}};
+            {"endsAlong", "m/s"}, {"endsAcross", "m/s"},
+            {"power", "W"}};
 }
 
 Foam::scalarList Foam::filamentReport::sample(const label i) const
@@ -168,6 +169,11 @@ Foam::scalarList Foam::filamentReport::sample(const label i) const
     {
         bend += magSqr(X[k + 1] - 2 * X[k] + X[k - 1]);
     }
+    scalar power = 0;
+    for (label k = 0; group_.twoWay() && k < group_.points_.size(); ++k)
+    {
+        power += group_.bodies_[i].forces[k] & group_.points_[k](V);
+    }
     bend =
         std::sqrt(bend / max(N - 1, label(1))) / sqr(group_.properties_.ds());
     return {centre.x(),
@@ -197,7 +203,8 @@ Foam::scalarList Foam::filamentReport::sample(const label i) const
             spin,
             bend,
             apart & axis,
-            mag(apart - (apart & axis) * axis)};
+            mag(apart - (apart & axis) * axis),
+            power};
 }
 
 Foam::label Foam::filamentReport::nCoupleMarkers() const

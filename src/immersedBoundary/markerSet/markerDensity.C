@@ -70,7 +70,15 @@ void Foam::markerSet::lineDensity(const UList<vector>& X,
     markerBins bins(grid_, local, linesHere(X, line, mayFold));
 
     scalarField others(local.size(), Zero);
-    std::vector<std::pair<label, scalar>> touched; // line, largest share
+    // A line counts by its marker with the largest share, or by all of them where it is
+    // folded and may be coiled up: those of a strand a cell apart add up to one
+    struct lineHere
+    {
+        label line;
+        scalar largest, sum;
+    };
+    const scalar ofStrand = 0.6;
+    std::vector<lineHere> touched;
     forAll(local, k)
     {
         // The rank that holds the cell knows all markers around it
@@ -81,17 +89,19 @@ void Foam::markerSet::lineDensity(const UList<vector>& X,
                       [&](const markerOfLine& other, const scalar share)
                       {
                           if (m.isBeside(other)) return;
-                          for (auto& t : touched)
+                          const scalar part = other.folded() ? share : 0;
+                          for (lineHere& t : touched)
                           {
-                              if (t.first != other.line) continue;
-                              t.second = max(t.second, share);
+                              if (t.line != other.line) continue;
+                              t.largest = max(t.largest, share);
+                              t.sum += part;
                               return;
                           }
-                          touched.push_back({other.line, share});
+                          touched.push_back({other.line, share, part});
                       });
-        for (const auto& t : touched)
+        for (const lineHere& t : touched)
         {
-            others[k] += t.second;
+            others[k] += max(t.largest, ofStrand * t.sum);
         }
     }
 
