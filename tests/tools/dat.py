@@ -131,13 +131,19 @@ def increments(folder, nu: float):
     return "%.2e" % (worst if files else np.inf)
 
 
-def energyBalance(folder, begin: float):
-    """Departure from 1 of the mean power of the forcing over dissipation and growth of the
-    kinetic energy, from a time on."""
-    late = Case(folder).table("spectrum", "turbulence.dat").after(begin)
+def energyBalance(folder, begin: float, volume: float = 1, *groups):
+    """Departure from 1 of the mean power of the forcing, and of the bodies of groups in a volume,
+    over dissipation and growth of the kinetic energy, from a time on."""
+    case = Case(folder)
+    late = case.table("spectrum", "turbulence.dat").after(begin)
     t, K = late["time"], late["kineticEnergy"]
-    mean = lambda name: (0.5 * (late[name][1:] + late[name][:-1]) * np.diff(t)).sum() / (t[-1] - t[0])
-    return "%.4f" % abs(mean("forcingPower") / (mean("dissipation") + (K[-1] - K[0]) / (t[-1] - t[0])) - 1)
+    mean = lambda t, x: (0.5 * (x[1:] + x[:-1]) * np.diff(t)).sum() / (t[-1] - t[0])
+    power = mean(t, late["forcingPower"])
+    for group in groups:
+        samples = case.bodies(group).after(begin)
+        times, which = np.unique(samples["time"], return_inverse=True)
+        power += mean(times, np.bincount(which, samples["power"])) / volume
+    return "%.4f" % abs(power / (mean(t, late["dissipation"]) + (K[-1] - K[0]) / (t[-1] - t[0])) - 1)
 
 
 def kineticEnergy(file, cells: int):

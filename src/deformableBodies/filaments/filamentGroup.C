@@ -126,6 +126,7 @@ Foam::scalarList Foam::filamentGroup::state(const label i) const
     s.append(x.dt);
     filament::save(x.U, s);
     filament::save(x.forces, s);
+    s.append(x.power);
     return scalarList(std::move(s));
 }
 
@@ -134,9 +135,11 @@ Foam::point Foam::filamentGroup::centreOf(const scalarList& state,
                                           const dictionary& source) const
 {
     const label N = properties_.segments;
-    const label all = filament::stateSize(N) + 2 +
+    const label all = filament::stateSize(N) + 3 +
                       3 * (points_.size() + (twoWay() ? markersEach() : 0));
-    if (state.size() != all)
+
+    // States of before there was a power lack it
+    if (state.size() != all && state.size() != all - 1)
     {
         waitForMaster();
         FatalIOErrorInFunction(source)
@@ -168,7 +171,8 @@ void Foam::filamentGroup::restore(body& x, const label number,
     x.slip = *at++;
     x.dt = *at++;
     at = filament::restore(at, x.U);
-    filament::restore(at, x.forces);
+    at = filament::restore(at, x.forces);
+    if (at < state.cdata() + state.size()) x.power = *at;
 }
 
 void Foam::filamentGroup::judgeSize(const dictionary& dict) const

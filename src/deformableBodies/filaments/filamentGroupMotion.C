@@ -51,6 +51,11 @@ void Foam::filamentGroup::recordSlip(const vector* U)
             x.slip = max(x.slip, mag(points_[k](x.line.velocities()) - U[k]));
             fastest_ = max(fastest_, mag(U[k]));
         }
+        x.power = 0;
+        forAll(x.forces, k)
+        {
+            x.power += x.forces[k] & U[k];
+        }
         U += markersEach();
     }
     if (twoWay() && steps_ > 10 && !slipped_) judgeSlip();

@@ -169,11 +169,6 @@ Foam::scalarList Foam::filamentReport::sample(const label i) const
     {
         bend += magSqr(X[k + 1] - 2 * X[k] + X[k - 1]);
     }
-    scalar power = 0;
-    for (label k = 0; group_.twoWay() && k < group_.points_.size(); ++k)
-    {
-        power += group_.bodies_[i].forces[k] & group_.points_[k](V);
-    }
     bend =
         std::sqrt(bend / max(N - 1, label(1))) / sqr(group_.properties_.ds());
     return {centre.x(),
@@ -204,7 +199,7 @@ Foam::scalarList Foam::filamentReport::sample(const label i) const
             bend,
             apart & axis,
             mag(apart - (apart & axis) * axis),
-            power};
+            group_.bodies_[i].power};
 }
 
 Foam::label Foam::filamentReport::nCoupleMarkers() const
