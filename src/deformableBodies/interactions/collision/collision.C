@@ -22,7 +22,8 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
     // A fibre that crosses another stops within a quarter of the range, and rests at half
     // the range, or at a twentieth where the flow presses with all its drag (Morse). Drag
     // leaves coast/(coast + R) of its energy. The step bears R (m/dt + c)/(3 dt) with a
-    // quarter of mass and drag (see contactLoad::borne)
+    // quarter of mass and drag (see contactLoad::borne): all of it stops a fibre, a quarter
+    // holds several contacts at once
     const auto strength = [&](const scalar range)
     {
         contactStrength all{0, "mu h^2/(4 deltaT)",
@@ -31,13 +32,15 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
         {
             if (load.isSurface) continue;
             const scalar byFlow = load.force - load.own, dt = scene.deltaT;
-            all.most = max(all.most, max(3 * load.own + byFlow,
-                                         range * (load.mass / dt + load.drag) /
-                                             (12 * dt)));
             const scalar coast = load.mass * load.speed / load.drag;
-            const scalar S =
-                load.own + byFlow / 20 +
+            const scalar stopping =
                 1.3 * load.energy() / (coast + range) * (coast / range);
+            const scalar bears =
+                range * (load.mass / dt + load.drag) / (12 * dt);
+            all.most = max(
+                all.most, max(3 * load.own + byFlow,
+                              max(0.25 * bears, min(3 * stopping, bears))));
+            const scalar S = load.own + byFlow / 20 + stopping;
             if (S <= all.value) continue;
             all.value = S;
             all.reason = load.reason;
