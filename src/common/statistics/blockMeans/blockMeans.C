@@ -69,7 +69,7 @@ Foam::label Foam::blockMeans::afterTransient(const label value) const
         first = b;
     }
     const auto changes = [&](const label b)
-    { return mag(change(value, b)) > 1e-3 * mag(of(value, b).value); };
+    { return mag(change(value, b)) > 5e-3 * mag(of(value, b).value); };
     while (first < nBlocks() / 2 && changes(first))
         ++first;
     return first >= nBlocks() / 2 ? nBlocks() : first;
