@@ -33,14 +33,16 @@ class Table:
     @classmethod
     def joined(cls, files):
         """One table of the pieces of a run: rows of later pieces replace those from their
-        first time on."""
+        first time on. Columns that a piece lacks are left out."""
         tables = [table for table in map(cls, files) if len(table)]
         if not tables:
             return cls(files[0])
-        rows = tables[0].rows
+        names = [name for name in tables[0].names if all(name in table.names for table in tables)]
+        columns = lambda table: table.rows[:, [table.names.index(name) for name in names]]
+        rows = columns(tables[0])
         for table in tables[1:]:
-            rows = np.vstack([rows[rows[:, 0] < table.rows[0, 0]], table.rows])
-        return cls(names=tables[0].names, rows=rows, units=tables[0].units)
+            rows = np.vstack([rows[rows[:, 0] < table.rows[0, 0]], columns(table)])
+        return cls(names=names, rows=rows, units={k: v for k, v in tables[0].units.items() if k in names})
 
     def __getitem__(self, name):
         if name not in self.names:

@@ -70,9 +70,11 @@ Foam::label Foam::blockMeans::afterTransient(const label value) const
     }
     const auto changes = [&](const label b)
     { return mag(change(value, b)) > 5e-3 * mag(of(value, b).value); };
-    while (first < nBlocks() / 2 && changes(first))
+    const label last = nBlocks() / 2;
+    if (first >= last && nBlocks() < 4 * leastBatches) return nBlocks();
+    while (first < last && changes(first))
         ++first;
-    return first >= nBlocks() / 2 ? nBlocks() : first;
+    return first >= last && changes(last) ? nBlocks() : first;
 }
 
 Foam::blockMeans::mean Foam::blockMeans::over(const label value,

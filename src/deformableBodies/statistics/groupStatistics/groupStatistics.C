@@ -237,6 +237,13 @@ void Foam::groupStatistics::writeState(Ostream& os) const
 
 void Foam::groupStatistics::readState(const dictionary& dict)
 {
+    for (const word& name : quantities_)
+    {
+        if (dict.found("of." + name)) continue;
+        Info << "Statistics begin anew: the state in " << dict.name()
+             << " lacks " << name << nl;
+        return;
+    }
     means_.restore(dict.get<scalarList>("means"));
     pairs_.restore(dict.get<scalarList>("pairs"));
     forAll(quantities_, i)
