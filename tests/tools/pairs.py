@@ -40,3 +40,9 @@ def change(file, other):
 def last(file):
     """The last y."""
     return first(file)[1][-1]
+
+
+def departure(reference, file, column):
+    """Largest difference of a column from that of a reference, at times of the file."""
+    a, b = Table(reference), Table(file)
+    return np.abs(np.interp(b["time"], a["time"], a[column]) - b[column]).max()

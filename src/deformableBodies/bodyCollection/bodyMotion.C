@@ -49,7 +49,7 @@ void Foam::bodyMotion::moveWithVelocity(const staggeredView& u,
         system_.markers->interpolate({u}, markers.U);
     }
     if (system_.contrast) updateViscosity(groups);
-    move(groups, markers,
+    move(groups, markers, 0,
          {time.value(), time.deltaTValue(), false, 1, &trouble_.unsteady});
     if (trouble_.any) return;
     if (system_.interactions) system_.interactions->update();
@@ -70,70 +70,83 @@ void Foam::bodyMotion::moveWithVelocity(const staggeredView& u,
 
 void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p)
 {
-    moveWithPrediction(p, forcingType::ofLines);
-    moveWithPrediction(p, forcingType::ofSurfaces);
-}
-
-void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p,
-                                          const forcingType forcing)
-{
-    const labelList groups(system_.groupsThat(forcing));
+    const labelList lines(system_.groupsThat(forcingType::ofLines));
+    const labelList surfaces(system_.groupsThat(forcingType::ofSurfaces));
+    labelList groups(lines);
+    groups.append(surfaces);
     if (groups.empty() || trouble_.any) return;
+
+    // A prediction has the forces of the last step at the present markers, and those of
+    // the lines in this step once they have moved
     const Time& time = system_.mesh.time();
-    const scalar fraction = impulseFractionOf(forcing, p.diffusionNumber);
-
-    // A prediction has the force of the last step at the present markers
     markerValues markers(collect(groups, time.deltaTValue()));
-    vectorField forceBefore;
-    if (!p.isOfLastStep)
+    vectorField before(markers.X.size(), Zero);
+    const auto change = [&]()
     {
-        forceBefore = system_.loads(groups).F;
-        const auto timing(system_.effects.time("spreading"));
-        for (label i = 1; i < p.force.size(); ++i)
-        {
-            system_.markers->spread(forceBefore,
-                                    perMass(p.force[i], forceBefore));
-        }
-        system_.markers->spreadAndInterpolate(forceBefore,
-                                              perMass(p.force[0], forceBefore),
-                                              p.after(fraction), markers.U);
-    }
-    else
+        vectorField F(system_.loads(groups).F), difference(F - before);
+        before.transfer(F);
+        return difference;
+    };
+    label first = 0;
+    for (const labelList* some : {&lines, &surfaces})
     {
-        const auto timing(system_.effects.time("interpolation"));
-        system_.markers->interpolate(p.u, markers.U);
+        if (some->empty()) continue;
+        const scalar fraction =
+            impulseFractionOf(system_.groups[some->first()].forcing(),
+                              p.diffusionNumber);
+        predict(p, fraction, p.isOfLastStep ? vectorField() : change(),
+                markers);
+        move(*some, markers, first,
+             {time.value(), time.deltaTValue(), !p.isOfLastStep, fraction,
+              &trouble_.unsteady});
+        if (trouble_.any) return;
+        first += system_.nMarkers(*some);
     }
-    move(groups, markers,
-         {time.value(), time.deltaTValue(), !p.isOfLastStep, fraction,
-          &trouble_.unsteady});
-    if (trouble_.any) return;
 
-    vectorField change(system_.loads(groups).F);
-    if (!p.isOfLastStep) change -= forceBefore;
+    const vectorField last(change());
     const auto timing(system_.effects.time("spreading"));
     for (const staggeredTarget& force : p.force)
     {
-        system_.markers->spread(change, perMass(force, change));
+        system_.markers->spread(last, perMass(force, last));
     }
+}
+
+void Foam::bodyMotion::predict(const velocityPrediction& p,
+                               const scalar fraction, const vectorField& change,
+                               markerValues& markers)
+{
+    if (p.isOfLastStep)
+    {
+        const auto timing(system_.effects.time("interpolation"));
+        system_.markers->interpolate(p.u, markers.U);
+        return;
+    }
+    const auto timing(system_.effects.time("spreading"));
+    for (label i = 1; i < p.force.size(); ++i)
+    {
+        system_.markers->spread(change, perMass(p.force[i], change));
+    }
+    system_.markers->spreadAndInterpolate(
+        change, perMass(p.force[0], change), p.after(fraction), markers.U);
 }
 
 Foam::bodyMotion::markerValues
 Foam::bodyMotion::collect(const labelUList& groups, const scalar dt)
 {
     const auto timing(system_.effects.time("interpolation"));
-    const forcingType forcing = system_.groups[groups[0]].forcing();
-    const bool haveLines = forcing != forcingType::none;
     markerValues markers;
     markers.X.setSize(system_.nMarkers(groups));
-    labelList line(haveLines ? markers.X.size() : 0, -1);
-    label first = 0, firstLine = 0;
+    labelList line(markers.X.size(), -1);
+    label first = 0, firstLine = 0, ofLines = 0;
+    bool direct = false;
     for (const label g : groups)
     {
         bodyGroup& group = system_.groups[g];
         const label n = group.nMarkers();
         group.markers(markers.X.data() + first, dt);
-        if (haveLines)
+        if (group.forcing() != forcingType::none)
         {
+            direct = true;
             refCast<directForcing>(group).lines(line.data() + first);
             for (label k = first; k < first + n; ++k)
             {
@@ -142,12 +155,12 @@ Foam::bodyMotion::collect(const labelUList& groups, const scalar dt)
             firstLine += group.nBodies();
         }
         first += n;
+        if (group.forcing() == forcingType::ofLines) ofLines = first;
     }
     system_.markers->setPositions(markers.X);
-    if (haveLines)
+    if (direct)
     {
-        system_.markers->lineDensity(markers.X, line,
-                                     forcing == forcingType::ofLines,
+        system_.markers->lineDensity(markers.X, line, ofLines,
                                      markers.lineDensity);
     }
     return markers;
@@ -169,18 +182,20 @@ void Foam::bodyMotion::recordSlip(const staggeredView& u)
 }
 
 void Foam::bodyMotion::move(const labelUList& groups,
-                            const markerValues& markers, const bodyStep& step)
+                            const markerValues& markers, const label first,
+                            const bodyStep& step)
 {
-    const vector* U = markers.U.cdata();
-    const scalar* lineDensity = markers.lineDensity.cdata();
+    const vector* U = markers.U.cdata() + first;
+    const scalar* lineDensity = markers.lineDensity.cdata() + first;
     bodyInteractions* interactions = system_.interactions.get();
-    if (interactions && groups.size() &&
-        system_.groups[groups[0]].forcing() == forcingType::ofLines)
+    const forcingType forcing = groups.empty()
+                                    ? forcingType::none
+                                    : system_.groups[groups[0]].forcing();
+    if (interactions && forcing == forcingType::ofLines)
     {
         interactions->resist(groups, U, lineDensity, step);
     }
-    if (system_.films && groups.size() &&
-        system_.groups[groups[0]].forcing() == forcingType::ofSurfaces)
+    if (system_.films && forcing == forcingType::ofSurfaces)
     {
         system_.films->act(groups, U, lineDensity, step);
     }

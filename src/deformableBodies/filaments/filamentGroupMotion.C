@@ -114,6 +114,7 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
     body& x = bodies_[i];
     const label n = points_.size();
     around.force = Zero;
+    around.stiffness = Zero;
     if (scene_.forces.actOn(name(), mine()[i]))
     {
         const auto ahead = [&]()
@@ -124,6 +125,7 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
         };
         scene_.forces.add(name(), mine()[i], ahead, s.time, scene_.effects,
                           around.force);
+        scene_.forces.addStiffness(name(), mine()[i], around.stiffness);
         forAll(around.force, k)
         {
             around.force[k] /= properties_.lengthOf(k);
@@ -136,8 +138,15 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
     around.drag = twoWay() ? forcingGain(s)
                            : drag_ * properties_.length / max(n, label(1));
     if (couple_) around.couple = couple_->K();
-    if (twoWay()) shareAmongLines(lineDensity, around);
 
+    // Only what the step does not bear
+    const scalar borne = sum(around.drag) / (properties_.length * s.dt);
+    forAll(around.stiffness, k)
+    {
+        around.stiffness[k] = max(
+            scalar(0), around.stiffness[k] / properties_.lengthOf(k) - borne);
+    }
+    if (twoWay()) shareAmongLines(lineDensity, around);
     const vectorField change(x.change(U, !x.line.started()));
     for (label k = 0; k < n; ++k)
     {
@@ -257,6 +266,7 @@ Foam::string Foam::filamentGroup::move(const vector* U,
     for (filament::surroundings& x : around)
     {
         x.force.setSize(loaded ? properties_.segments + 1 : 0);
+        x.stiffness.setSize(x.force.size());
         x.points = points_;
         x.drag.setSize(points_.size());
         x.U.setSize(points_.size());

@@ -26,6 +26,7 @@ void Foam::filamentNewton<Lanes>::resize(const filament::surroundings& around)
         field->resize(N_ + 1);
     }
     force_.resize(around.force.size());
+    stiffness_.resize(around.stiffness.size());
     for (auto* field : {&x_, &change_, &right_, &next_})
     {
         field->assign(4 * (N_ + 1), lanes::Zero());
@@ -73,6 +74,7 @@ void Foam::filamentNewton<Lanes>::load(filament* const* lines,
     take(&filament::VBefore_, lines, pastA_);
     take(&filament::clamp_, lines, clamp_);
     take(&filament::surroundings::force, around, force_);
+    take(&filament::surroundings::stiffness, around, stiffness_);
     take(&filament::surroundings::drag, around, drag_);
     take(&filament::surroundings::U, around, U_);
     take(&filament::surroundings::couple, around, couple_);
@@ -93,6 +95,11 @@ void Foam::filamentNewton<Lanes>::extrapolate(const scalar dt,
         c0_[l] = last > 0 ? (1 + 2 * r[l]) / ((1 + r[l]) * dt) : 1 / dt;
         c1[l] = last > 0 ? -(1 + r[l]) / dt : -1 / dt;
         c2[l] = last > 0 ? sqr(r[l]) / ((1 + r[l]) * dt) : 0;
+    }
+    if (stiffness_.size()) startV_ = V_;
+    for (lanes& k : stiffness_)
+    {
+        k *= dt;
     }
     for (label i = 0; i <= N_; ++i)
     {

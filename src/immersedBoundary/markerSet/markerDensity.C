@@ -10,7 +10,7 @@ constexpr Foam::scalar Foam::markerSet::lineReach;
 // A line also counts as folded if its periodic images are within reach
 Foam::scalarField Foam::markerSet::linesHere(const UList<vector>& X,
                                              const labelUList& line,
-                                             const bool mayFold) const
+                                             const label nMayFold) const
 {
     const auto isFolded = [&](const label begin, const label end)
     {
@@ -30,7 +30,8 @@ Foam::scalarField Foam::markerSet::linesHere(const UList<vector>& X,
     {
         while (end < line.size() && line[end] == line[begin])
             ++end;
-        const bool folded = mayFold && line[begin] >= 0 && isFolded(begin, end);
+        const bool folded =
+            begin < nMayFold && line[begin] >= 0 && isFolded(begin, end);
         for (label k = begin; k < end; ++k)
         {
             ids[2 * k] = line[k];
@@ -44,7 +45,7 @@ void Foam::markerSet::closeLines(const UList<vector>& X, const labelUList& line,
                                  const visitor& visit) const
 {
     const UList<vector>& local = copies_.here();
-    markerBins bins(grid_, local, linesHere(X, line, false));
+    markerBins bins(grid_, local, linesHere(X, line, 0));
     forAll(local, k)
     {
         const markerOfLine& m = bins[k];
@@ -63,11 +64,11 @@ void Foam::markerSet::closeLines(const UList<vector>& X, const labelUList& line,
 }
 
 void Foam::markerSet::lineDensity(const UList<vector>& X,
-                                  const labelUList& line, const bool mayFold,
+                                  const labelUList& line, const label nMayFold,
                                   scalarField& density) const
 {
     const UList<vector>& local = copies_.here();
-    markerBins bins(grid_, local, linesHere(X, line, mayFold));
+    markerBins bins(grid_, local, linesHere(X, line, nMayFold));
 
     scalarField others(local.size(), Zero);
     // A line counts by its marker with the largest share, or by all of them where it is

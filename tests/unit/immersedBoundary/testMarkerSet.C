@@ -253,7 +253,7 @@ TEST_P(MarkerSet, countsLinesInOnePlace)
 
         markers.setPositions(X);
         scalarField density;
-        markers.lineDensity(X, line, true, density);
+        markers.lineDensity(X, line, X.size(), density);
         forAll(X, k)
         {
             // Markers that the crossing line touches, and markers without another line. In a
@@ -285,7 +285,7 @@ TEST_P(MarkerSet, countsALineOnceUnlessItIsFolded)
         if (grid().n()[0] < each + 2) continue;
         markers.setPositions(X);
         scalarField density;
-        markers.lineDensity(X, labelList(X.size(), 5), true, density);
+        markers.lineDensity(X, labelList(X.size(), 5), X.size(), density);
         if (X.empty()) continue;
 
         // At its end a strand has two markers in reach, one of them a cell away
@@ -393,7 +393,7 @@ TEST_P(MarkerSet, countsLinesAsAllPairsDo)
 
     markers.setPositions(X);
     scalarField density;
-    markers.lineDensity(X, line, true, density);
+    markers.lineDensity(X, line, X.size(), density);
     test::expectBelow("lines at markers, against all pairs",
                       gMax(mag(density - expected)), 1e-11);
     EXPECT_GT(gMax(density), 2);

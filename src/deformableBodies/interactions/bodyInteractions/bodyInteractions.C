@@ -124,6 +124,12 @@ void Foam::bodyInteractions::add(const label group, const label body,
     points_.addTo(near_.find(numbers_.number(group, body)), F);
 }
 
+void Foam::bodyInteractions::addStiffness(const label group, const label body,
+                                          scalarField& K) const
+{
+    points_.addStiffness(near_.find(numbers_.number(group, body)), K);
+}
+
 Foam::vector Foam::bodyInteractions::forceOn(const label group,
                                              const label body) const
 {

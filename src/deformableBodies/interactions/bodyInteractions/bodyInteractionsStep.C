@@ -15,6 +15,7 @@ void Foam::bodyInteractions::update()
     {
         compareBoxes();
     }
+    const bool first = !hasForces_;
     hasForces_ = true;
     watch_.begin();
     samples_.begin();
@@ -42,6 +43,30 @@ void Foam::bodyInteractions::update()
     actOfWalls();
     watch_.end();
     samples_.addPower(points_.power(), time_.deltaTValue());
+    if (first) judgeStart();
+}
+
+void Foam::bodyInteractions::judgeStart() const
+{
+    label most = -1;
+    scalar load = 10 * models_.load();
+    for (label b = 0; b < near_.nBodies(); ++b)
+    {
+        if (points_.load(b) <= load) continue;
+        most = b;
+        load = points_.load(b);
+    }
+    if (load < returnReduce(load, maxOp<scalar>()) || most < 0) return;
+    const nearBodies::body& body = near_.bodies()[most];
+    WarningInFunction
+        << nameOf(body.number).c_str() << " at "
+        << groups_[body.group].centre(body.local)
+        << " starts so close to others that they press it with " << load
+        << " N; flow, weight and loads press with " << models_.load()
+        << " N" << nl
+        << "    Bodies are thrown apart in the first steps: start them further "
+           "apart (minimumGap of placement), up to "
+        << models_.range() << " m" << endl;
 }
 
 void Foam::bodyInteractions::collectPoints()
@@ -94,9 +119,8 @@ void Foam::bodyInteractions::act(contactSearch& search, const labelUList& body,
     search.search(points_.X(), points_.points(), body, along,
                   2 * (search.pairs().range() + near_.skin()));
     watch_.look(search.pairs(), search.points());
-    const auto add = [&](vectorField& F)
+    const auto add = [&](pairForces all)
     {
-        pairForces all{F};
         for (const contactForce& force : models_.forces())
         {
             const auto timing(effects_.time(force.type()));
@@ -104,7 +128,9 @@ void Foam::bodyInteractions::act(contactSearch& search, const labelUList& body,
         }
         contactMoment_ += all.moment;
     };
-    search.addForces(add, points_.forces().F);
+    search.addForces(add, points_.forces().F,
+                     &search == linePairs_.get() ? &points_.stiffness()
+                                                 : nullptr);
 }
 
 Foam::tensor Foam::bodyInteractions::momentAboutCentres() const
@@ -158,6 +184,7 @@ void Foam::bodyInteractions::actOfWalls()
             const scalar P = models_.ofWall(distance - p.radius, p.radius == 0);
             const vector force(P * p.size * inward);
             points_.forces().F[k] += force;
+            points_.stiffness()[k] += 6 * mag(force) / models_.range();
             wallMoment_ += force * (centre - (x - distance * inward));
 
             // A point without velocity is held at the wall

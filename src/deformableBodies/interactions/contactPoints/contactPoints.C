@@ -50,6 +50,8 @@ void Foam::contactPoints::clearForces(const bool withArms)
 {
     F_.F.setSize(X_.size());
     F_.F = Zero;
+    stiffness_.setSize(X_.size());
+    stiffness_ = Zero;
     if (withArms) F_.arms = F_.F;
 }
 
@@ -104,6 +106,17 @@ void Foam::contactPoints::addTo(const label index, vectorField& F) const
         if (F_.arms.size()) ahead += on.part * F_.arms[k];
         F[on.segment] += F_.F[k] - ahead;
         F[on.segment + 1] += ahead;
+    }
+}
+
+void Foam::contactPoints::addStiffness(const label index, scalarField& K) const
+{
+    const range& points = ranges_[index];
+    for (label k = points.first; k < points.end(); ++k)
+    {
+        const partOfSegment& on = parts_[k - firstOfLines_];
+        K[on.segment] += (1 - on.onward) * stiffness_[k];
+        K[on.segment + 1] += on.onward * stiffness_[k];
     }
 }
 

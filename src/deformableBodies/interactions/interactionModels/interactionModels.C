@@ -7,6 +7,10 @@ Foam::interactionModels::interactionModels(const dictionary& dict,
                                            const interactionScene& scene,
                                            effectTable& effects)
 {
+    for (const contactLoad& load : scene.loads)
+    {
+        load_ = max(load_, load.force);
+    }
     for (const word& name : dict.toc())
     {
         if (contactForce::known(name))

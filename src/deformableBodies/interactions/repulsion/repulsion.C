@@ -143,7 +143,9 @@ void Foam::repulsion::add(const closePairs& pairs,
             const scalar apart = mag(p.r);
             perDistance = between(apart - t) / max(apart, SMALL * law_.range());
         }
-        forces.add(p, perDistance * points[p.first].size *
-                          points[p.second].size * p.r);
+        forces.add(
+            p,
+            perDistance * points[p.first].size * points[p.second].size * p.r,
+            law_.steepness(mag(p.r) - t));
     }
 }
