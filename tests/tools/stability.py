@@ -3,7 +3,7 @@
 A verdict is one of
     ok          ended, and within the bound of the reference
     stopped     a stop that names body or place, and what to do
-    warned      apart from the reference, and a warning asks for another deltaT
+    warned      apart from the reference, and a warning asks for another deltaT or start
     WRONG       apart from the reference, and nothing was said
     unclear     a stop without body, place or remedy
     broken      no end and no error: a signal, a floating point exception
@@ -242,7 +242,7 @@ def compared(run, reference, fixed, cell, health):
         if not error / allowed <= excess:
             excess = error / allowed
             row.update(quantity=name, value=value, right=right, error=error)
-    said = [w for w in run.warnings if "deltaT" in w]
+    said = [w for w in run.warnings if "deltaT" in w or "further apart" in w]
     row["verdict"] = "ok" if not wrong else "warned" if said else "WRONG"
     row["why"] = "; ".join(wrong + ["said: " + w[-200:] for w in said[:1] if wrong])
     return row

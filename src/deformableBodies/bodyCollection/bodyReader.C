@@ -285,7 +285,7 @@ void Foam::bodyReader::readInteractions(const bodyScene& scene)
     }
     system_.effects.declare("interactions", !interactions.empty(), reason);
     if (interactions.empty()) return;
-    bool nearField = system_.neighbourFields && nucleated_.empty();
+    bool nearField = bool(system_.neighbourFields);
     forAll(system_.groups, g)
     {
         const bodyGroup& group = system_.groups[g];

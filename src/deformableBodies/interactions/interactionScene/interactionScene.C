@@ -36,6 +36,12 @@ Foam::interactionScene::of(const fvMesh& mesh, const PtrList<bodyGroup>& groups,
         all.loads.append(contactLoad::of(groups, g, flow, scene,
                                          mesh.time().startTime().value()));
         all.add(groups[g].points(-1));
+        if (all.loads.last().isSurface && groups[g].host() < 0)
+        {
+            all.nOutside += groups[g].nBodies();
+            all.share += groups[g].nBodies() * 4.18879 *
+                         pow3(all.loads.last().radius) / scene.grid.volume();
+        }
         const nearSurface* surface = groups[g].nearSources();
         all.films = all.films && surface && surface->makesFilms();
     }

@@ -78,11 +78,20 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
     };
 
     // Membranes that inertia presses together cross at 1 h (a Reynolds number of the body
-    // is three times the Stokes number)
-    scalar cells = scene.films ? 0.6 : scene.nearField ? 1 : 1.5;
+    // is three times the Stokes number), some of a fifth of the volume at 0.6 h
+    bool close = scene.films || (scene.nearField && scene.share < 0.05);
     for (const contactLoad& load : scene.loads)
     {
-        if (load.softness < GREAT && load.stokesNumber() > 0.5) cells = 1.5;
+        close = close && (scene.films || !load.isSurface || load.own == 0);
+    }
+    scalar cells = close ? 0.6 : scene.nearField ? 1 : 1.5;
+    for (const contactLoad& load : scene.loads)
+    {
+        if (load.softness < GREAT && load.stokesNumber() > 0.5 &&
+            scene.nOutside > 1)
+        {
+            cells = 1.5;
+        }
         if (scene.films && load.stokesNumber() > 10) cells = 1;
     }
     return contactLaw(dict, scene.grid, cells * cmptMax(scene.grid.h()),
