@@ -230,6 +230,9 @@ tool() { "$DEFORMABLE_BODIES_DIR/bin/python" "$DEFORMABLE_BODIES_DIR/tests/tools
 ranksLimit=1e-12
 fibresLimit=1e-11
 
+# seconds <log>: processor time of a run
+seconds() { awk '/^ExecutionTime/ { s = $3 } END { print s }' "$1"; }
+
 # relative <a> <b>: difference, relative to b
 relative() { awk -v a="$1" -v b="$2" 'BEGIN { d = a/b - 1; print d < 0 ? -d : d }'; }
 

@@ -79,6 +79,17 @@ def put(folder, file, entry, value):
         raise Failed("%s does not take %s %s" % (file, entry, value))
 
 
+def isUsed(folder, name):
+    """A dictionary of a case expands a variable: $name, ${name}, $:name or $:variables.name."""
+    use = re.compile(r"\$\{?[:.]*(variables\.)?%s(?![\w])" % re.escape(name))
+    for kind in ("constant", "system", "0", "0.orig"):
+        for path, _, files in os.walk(os.path.join(folder, kind)):
+            for file in (os.path.join(path, f) for f in files):
+                if os.path.getsize(file) < 1e6 and use.search(open(file, errors="replace").read()):
+                    return True
+    return False
+
+
 def change(folder, name, value):
     """Give one setting its value in a copied case; None takes <file>:<entry> out."""
     if value is None:
@@ -90,6 +101,8 @@ def change(folder, name, value):
         text = open(scene).read()
         changed, n = re.subn(r"(?m)^%s(\s+)[^;]*;" % re.escape(name), r"%s\g<1>%s;" % (name, value), text)
         if n:
+            if not isUsed(folder, name):
+                raise Failed("'%s' of constant/scene is used nowhere in the case" % name)
             open(scene, "w").write(changed)
             return
     if ":" in name:

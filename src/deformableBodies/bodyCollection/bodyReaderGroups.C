@@ -71,6 +71,13 @@ void Foam::bodyReader::checkGroup(const dictionary& bodies,
 void Foam::bodyReader::addGroup(const word& name, const dictionary& group,
                                 const bodyScene& scene)
 {
+    for (const word& other : {word("interactions"), word("loads")})
+    {
+        if (!group.found(other)) continue;
+        refuse(group, other, "{...}",
+               "groups without it; " + other +
+                   " belongs beside bodies {...}, not into a group");
+    }
     system_.groups.append(bodyGroup::New(name, group, scene).ptr());
     given_.append(entriesOf(group, {"restart", "type", "nucleus"}));
 }

@@ -2,7 +2,6 @@
 
 #include "blockMeans.H"
 #include <cmath>
-#include <utility>
 
 Foam::blockMeans::blockMeans(const label nValues)
     : nValues_(nValues),
@@ -77,21 +76,24 @@ Foam::label Foam::blockMeans::afterTransient(const label value) const
     return first >= last && changes(last) ? nBlocks() : first;
 }
 
+std::pair<Foam::scalar, Foam::scalar>
+Foam::blockMeans::sums(const label value, const label first,
+                       const label end) const
+{
+    std::pair<scalar, scalar> all(0, 0);
+    for (label b = first; b < end; ++b)
+    {
+        all.first += blocks_[b].weight;
+        all.second += blocks_[b].sums[value];
+    }
+    return all;
+}
+
 Foam::blockMeans::mean Foam::blockMeans::over(const label value,
                                               const label first,
                                               const label end) const
 {
-    const auto sums = [&](const label from, const label to)
-    {
-        std::pair<scalar, scalar> all(0, 0);
-        for (label b = from; b < to; ++b)
-        {
-            all.first += blocks_[b].weight;
-            all.second += blocks_[b].sums[value];
-        }
-        return all;
-    };
-    const std::pair<scalar, scalar> all(sums(first, end));
+    const std::pair<scalar, scalar> all(sums(value, first, end));
     mean m{all.second / max(all.first, VSMALL), -1};
     const label n = end - first;
     for (label size = 1; n / size >= leastBatches; size *= 2)
@@ -101,7 +103,7 @@ Foam::blockMeans::mean Foam::blockMeans::over(const label value,
         for (label k = 0; k < batches; ++k)
         {
             const std::pair<scalar, scalar> batch(
-                sums(end - (k + 1) * size, end - k * size));
+                sums(value, end - (k + 1) * size, end - k * size));
             squares += sqr(batch.second / batch.first - m.value);
         }
         m.error =
@@ -126,13 +128,9 @@ Foam::blockMeans::mean Foam::blockMeans::of(const label value,
                                             const label first) const
 {
     mean m(over(value, first, nBlocks()));
-    scalar weight = open_.weight, sum = open_.sums[value];
-    for (label b = first; b < nBlocks(); ++b)
-    {
-        weight += blocks_[b].weight;
-        sum += blocks_[b].sums[value];
-    }
-    m.value = sum / max(weight, VSMALL);
+    const std::pair<scalar, scalar> all(sums(value, first, nBlocks()));
+    m.value = (all.second + open_.sums[value]) /
+              max(all.first + open_.weight, VSMALL);
     if (m.error >= 0) m.error = max(m.error, mag(change(value, first)));
     return m;
 }

@@ -11,6 +11,10 @@ Foam::interactionModels::interactionModels(const dictionary& dict,
     {
         load_ = max(load_, load.force);
     }
+    wordList names(contactForce::dictionaryConstructorTablePtr_->toc());
+    names.append(contactResistance::dictionaryConstructorTablePtr_->toc());
+    sort(names);
+    checkEntries(dict, names);
     for (const word& name : dict.toc())
     {
         if (contactForce::known(name))
@@ -18,19 +22,11 @@ Foam::interactionModels::interactionModels(const dictionary& dict,
             forces_.append(contactForce::New(name, dict, scene).ptr());
             include(forces_.last(), scene, effects);
         }
-        else if (contactResistance::known(name))
+        else
         {
             resistances_.append(
                 contactResistance::New(name, dict, scene).ptr());
             include(resistances_.last(), scene, effects);
-        }
-        else
-        {
-            wordList names(contactForce::dictionaryConstructorTablePtr_->toc());
-            names.append(
-                contactResistance::dictionaryConstructorTablePtr_->toc());
-            sort(names);
-            refuse(dict, name, "{...}", "models " + oneOf(names));
         }
     }
 }
