@@ -20,11 +20,13 @@ for between, style in (("on", "o-"), ("off", "s--")):
                          textcoords="offset points", fontsize=7)
     for box, colour in zip(dict.fromkeys(r["box"] for r in dense), (figures.black, figures.blue, figures.orange)):
         own = [r for r in dense if r["box"] == box and r["nearField"] == between]
+        if not own:
+            continue
         axes[1].semilogx([float(r["seconds"]) for r in own], [float(r["viscosity"]) for r in own], style, color=colour,
                          mfc=colour if between == "on" else "none", label=box + ("" if between == "on" else ", off"))
 axes[0].set(xlabel="core-seconds", ylabel="largest error of y [a]", title="two capsules that pass, Ca$_G$ 0.3")
 if dense:
     axes[1].set(xlabel="core-seconds", ylabel="relative viscosity", title="64 bodies, 30 % (spheres 20 %)")
-for axis in axes:
-    axis.legend()
+    axes[1].legend(ncol=2, loc="center right", bbox_to_anchor=(1, 0.75))
+axes[0].legend()
 figures.save(figure, sys.argv[1])

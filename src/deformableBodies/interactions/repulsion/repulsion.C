@@ -26,11 +26,11 @@ contactStrength strengthFor(const contactLoad& load,
     string reason(load.reason);
 
     // Membranes give way until their own stress carries the load
-    const scalar soft = max(5 * load.softness, load.own / (pi * sqr(a)));
+    const scalar soft = max(10 * load.softness, load.own / (pi * sqr(a)));
     if (soft < S)
     {
         S = soft;
-        reason = "5 Gs/a";
+        reason = "10 Gs/a";
     }
 
     // F = 2 pi a P R/6 at high loads, and 2 pi a P is its stiffness
@@ -62,7 +62,7 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
     }
     const auto strength = [&](const scalar range)
     {
-        contactStrength all{0, "5 Gs/a", scene.deltaTOf(true, range), 0};
+        contactStrength all{0, "10 Gs/a", scene.deltaTOf(true, range), 0};
         for (const contactLoad& load : scene.loads)
         {
             if (!load.isSurface) continue;
@@ -72,7 +72,7 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
             all.value = s.value;
             all.reason = s.reason;
         }
-        if (all.value == 0) all.value = 5 * scene.softest;
+        if (all.value == 0) all.value = 10 * scene.softest;
         if (all.most == 0) all.most = GREAT;
         return all;
     };
