@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// The filaments of a group: coming and going, geometry
+// The filaments of a group: coming and going, geometry, slip
 
 #include "filamentGroup.H"
 #include "dictionaryChecks.H"
@@ -199,4 +199,57 @@ void Foam::filamentGroup::judgeSize(const dictionary& dict) const
                        "diameter"});
     }
     judge(dict, ratios);
+}
+
+void Foam::filamentGroup::recordSlip(const vector* U)
+{
+    for (body& x : bodies_)
+    {
+        x.slip = 0;
+        forAll(points_, k)
+        {
+            x.slip = max(x.slip, mag(points_[k](x.line.velocities()) - U[k]));
+            fastest_ = max(fastest_, mag(U[k]));
+        }
+        x.power = 0;
+        forAll(x.forces, k)
+        {
+            x.power += x.forces[k] & U[k];
+        }
+        U += markersEach();
+    }
+    if (twoWay() && steps_ > 10 && !slipped_) judgeSlip();
+}
+
+void Foam::filamentGroup::judgeSlip()
+{
+    reduce(fastest_, maxOp<scalar>());
+    label worst = -1;
+    scalar most = max(0.25 * fastest_, 0.05 * h_ / step_);
+    forAll(mine(), i)
+    {
+        if (bodies_[i].slip <= most) continue;
+        most = bodies_[i].slip;
+        worst = i;
+    }
+    string where;
+    if (worst >= 0)
+    {
+        OStringStream os;
+        os.precision(4);
+        os << nameOfBody(mine()[worst]).c_str() << " at " << centre(worst)
+           << " slips by " << most << " m/s, where the fluid at its group has "
+           << "moved at up to " << fastest_ << " m/s, at time " << now_;
+        where = os.str();
+    }
+    where = firstOf(where);
+    if (where.empty()) return;
+    slipped_ = true;
+    if (Pstream::master())
+    {
+        WarningInFunction
+            << where.c_str() << nl
+            << "    Its force is not that of a fibre in this flow:"
+            << " reduce deltaT" << endl;
+    }
 }

@@ -3,7 +3,6 @@
 // Filaments and the fluid within a time step
 
 #include "filamentGroup.H"
-#include "dictionaryChecks.H"
 #include <cmath>
 
 Foam::label Foam::filamentGroup::nMarkers() const
@@ -41,59 +40,6 @@ void Foam::filamentGroup::lines(label* line) const
     }
 }
 
-void Foam::filamentGroup::recordSlip(const vector* U)
-{
-    for (body& x : bodies_)
-    {
-        x.slip = 0;
-        forAll(points_, k)
-        {
-            x.slip = max(x.slip, mag(points_[k](x.line.velocities()) - U[k]));
-            fastest_ = max(fastest_, mag(U[k]));
-        }
-        x.power = 0;
-        forAll(x.forces, k)
-        {
-            x.power += x.forces[k] & U[k];
-        }
-        U += markersEach();
-    }
-    if (twoWay() && steps_ > 10 && !slipped_) judgeSlip();
-}
-
-void Foam::filamentGroup::judgeSlip()
-{
-    reduce(fastest_, maxOp<scalar>());
-    label worst = -1;
-    scalar most = max(0.25 * fastest_, 0.05 * h_ / step_);
-    forAll(mine(), i)
-    {
-        if (bodies_[i].slip <= most) continue;
-        most = bodies_[i].slip;
-        worst = i;
-    }
-    string where;
-    if (worst >= 0)
-    {
-        OStringStream os;
-        os.precision(4);
-        os << nameOfBody(mine()[worst]).c_str() << " at " << centre(worst)
-           << " slips by " << most << " m/s, where the fluid at its group has "
-           << "moved at up to " << fastest_ << " m/s, at time " << now_;
-        where = os.str();
-    }
-    where = firstOf(where);
-    if (where.empty()) return;
-    slipped_ = true;
-    if (Pstream::master())
-    {
-        WarningInFunction
-            << where.c_str() << nl
-            << "    Its force is not that of a fibre in this flow:"
-            << " reduce deltaT" << endl;
-    }
-}
-
 // A point moves the fluid of this cross-section over its length, per step with
 // what diffusion leaves of it
 Foam::scalar Foam::filamentGroup::forcingGain(const bodyStep& s) const
@@ -115,6 +61,9 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
     const label n = points_.size();
     around.force = Zero;
     around.stiffness = Zero;
+    const scalar gain = twoWay()
+                            ? forcingGain(s)
+                            : drag_ * properties_.length / max(n, label(1));
     if (scene_.forces.actOn(name(), mine()[i]))
     {
         const auto ahead = [&]()
@@ -126,26 +75,23 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
         scene_.forces.add(name(), mine()[i], ahead, s.time, scene_.effects,
                           around.force);
         scene_.forces.addStiffness(name(), mine()[i], around.stiffness);
+
+        // Only what the step does not bear
+        const scalar borne = gain * n / (properties_.length * s.dt);
         forAll(around.force, k)
         {
-            around.force[k] /= properties_.lengthOf(k);
+            const scalar length = properties_.lengthOf(k);
+            around.force[k] /= length;
+            around.stiffness[k] =
+                max(scalar(0), around.stiffness[k] / length - borne);
         }
     }
     if (base_.valid())
     {
         x.line.moveEnd(movedEnd(), x.start + base_->value(s.time));
     }
-    around.drag = twoWay() ? forcingGain(s)
-                           : drag_ * properties_.length / max(n, label(1));
+    around.drag = gain;
     if (couple_) around.couple = couple_->K();
-
-    // Only what the step does not bear
-    const scalar borne = sum(around.drag) / (properties_.length * s.dt);
-    forAll(around.stiffness, k)
-    {
-        around.stiffness[k] = max(
-            scalar(0), around.stiffness[k] / properties_.lengthOf(k) - borne);
-    }
     if (twoWay()) shareAmongLines(lineDensity, around);
     const vectorField change(x.change(U, !x.line.started()));
     for (label k = 0; k < n; ++k)

@@ -3,6 +3,7 @@
 // One step: contact forces, and resistances once the fluid's velocity is known
 
 #include "bodyInteractions.H"
+#include "dictionaryChecks.H"
 #include "directForcing.H"
 #include "fibreResistances.H"
 #include "mathematicalConstants.H"
@@ -48,22 +49,25 @@ void Foam::bodyInteractions::update()
 
 void Foam::bodyInteractions::judgeStart() const
 {
-    label most = -1;
-    scalar load = 10 * models_.load();
+    string where;
+    scalar most = 10 * models_.load();
     for (label b = 0; b < near_.nBodies(); ++b)
     {
-        if (points_.load(b) <= load) continue;
-        most = b;
-        load = points_.load(b);
+        if (points_.load(b) <= most) continue;
+        const nearBodies::body& body = near_.bodies()[b];
+        most = points_.load(b);
+        OStringStream os;
+        os << nameOf(body.number).c_str() << " at "
+           << groups_[body.group].centre(body.local)
+           << " starts so close to others that they press it with " << most
+           << " N; flow, weight and loads press with " << models_.load()
+           << " N";
+        where = os.str();
     }
-    if (load < returnReduce(load, maxOp<scalar>()) || most < 0) return;
-    const nearBodies::body& body = near_.bodies()[most];
+    where = firstOf(where);
+    if (where.empty() || !Pstream::master()) return;
     WarningInFunction
-        << nameOf(body.number).c_str() << " at "
-        << groups_[body.group].centre(body.local)
-        << " starts so close to others that they press it with " << load
-        << " N; flow, weight and loads press with " << models_.load()
-        << " N" << nl
+        << where.c_str() << nl
         << "    Bodies are thrown apart in the first steps: start them further "
            "apart (minimumGap of placement), up to "
         << models_.range() << " m" << endl;

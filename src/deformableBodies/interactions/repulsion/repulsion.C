@@ -78,12 +78,16 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
     };
 
     // Membranes that inertia presses together cross at 1 h (a Reynolds number of the body
-    // is three times the Stokes number), some of a fifth of the volume at 0.6 h
-    bool close = scene.films || (scene.nearField && scene.share < 0.05);
+    // is three times the Stokes number), at 0.6 h some of a fifth of the volume; nuclei sink
+    // into soft ones, of Ca_G = force/(6 pi Gs a) above 1
+    bool close = scene.nearField && scene.share < 0.05;
     for (const contactLoad& load : scene.loads)
     {
-        close = close && (scene.films || !load.isSurface || load.own == 0);
+        if (!load.isSurface) continue;
+        const scalar soft = 6 * pi * load.softness * sqr(load.radius);
+        close = close && load.own == 0 && load.force < soft;
     }
+    close = close || scene.films;
     scalar cells = close ? 0.6 : scene.nearField ? 1 : 1.5;
     for (const contactLoad& load : scene.loads)
     {
