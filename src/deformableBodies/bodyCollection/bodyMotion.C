@@ -87,6 +87,11 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p)
         before.transfer(F);
         return difference;
     };
+    if (p.isOfLastStep)
+    {
+        const auto timing(system_.effects.time("interpolation"));
+        system_.markers->interpolate(p.u, markers.U);
+    }
     label first = 0;
     for (const labelList* some : {&lines, &surfaces})
     {
@@ -94,8 +99,7 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p)
         const scalar fraction =
             impulseFractionOf(system_.groups[some->first()].forcing(),
                               p.diffusionNumber);
-        predict(p, fraction, p.isOfLastStep ? vectorField() : change(),
-                markers);
+        if (!p.isOfLastStep) predict(p, fraction, change(), markers);
         move(*some, markers, first,
              {time.value(), time.deltaTValue(), !p.isOfLastStep, fraction,
               &trouble_.unsteady});
@@ -115,12 +119,6 @@ void Foam::bodyMotion::predict(const velocityPrediction& p,
                                const scalar fraction, const vectorField& change,
                                markerValues& markers)
 {
-    if (p.isOfLastStep)
-    {
-        const auto timing(system_.effects.time("interpolation"));
-        system_.markers->interpolate(p.u, markers.U);
-        return;
-    }
     const auto timing(system_.effects.time("spreading"));
     for (label i = 1; i < p.force.size(); ++i)
     {
