@@ -6,7 +6,7 @@
 #     ./Allrun entry value    other values of the entries in constant/scene
 #     NP=1 ./Allrun           number of ranks, default 2
 tutorials=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd) || exit 1
-"$tutorials"/../bin/setup || exit 1
+[ ! -d "$tutorials"/../src ] || "$tutorials"/../bin/setup || exit 1
 . "$tutorials"/../bin/env || exit 1
 set -eE -o pipefail
 trap 'echo "Allrun: stopped by the error above, in $PWD" 1>&2' ERR
