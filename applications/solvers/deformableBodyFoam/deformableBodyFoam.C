@@ -13,14 +13,15 @@ Description
       staggered  on uniform boxes, laminar: see staggeredFlow.H
       pimple     as pimpleFoam: any mesh, any condition, turbulence models
       auto       staggered where it can, else pimple; the log says why
-    Capsules move with the velocity of the last step, filaments with one predicted
-    within the step (in pimple with the last); they act at the faces, where their
-    force is balanced against the pressure gradient.
+    Capsules move with the velocity of the last step; filaments and rigid bodies with one
+    predicted within the step (in pimple with the last). Their force enters at the faces,
+    where it is balanced against the pressure gradient.
 
     With -postProcess the bodies are drawn again from the states of the chosen times,
     in postProcessing/VTK/bodies, beside the output of the functionObjects.
 
-    Without constant/deformableBodies it is pimpleFoam on a static mesh.
+    Without constant/deformableBodies it solves the flow alone; with flowAlgorithm pimple it
+    is then pimpleFoam on a static mesh.
 
 Usage
     \verbatim
@@ -54,8 +55,8 @@ Usage
 int main(int argc, char* argv[])
 {
     argList::addNote("Transient solver for incompressible flow with deformable"
-                     " bodies (capsules, filaments) by the immersed boundary"
-                     " method.");
+                     " bodies (capsules, filaments, rigid bodies) by the"
+                     " immersed boundary method.");
 
     #define CREATE_FIELDS_2 drawBodies.H
     #include "postProcess.H"

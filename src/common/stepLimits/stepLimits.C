@@ -106,7 +106,21 @@ void Foam::stepLimits::print(Ostream& os) const
         row(l);
     }
     if (adjusted_) row(controlLimit());
+    const scalar step = adjusted_ ? min(smallestOther(), flowLimit().dt)
+                                  : time_.deltaTValue();
+    const scalar steps = (time_.endTime().value() - time_.value()) / step;
+    if (steps > 1)
+    {
+        os << "    endTime     after some " << Foam::name(std::ceil(steps))
+           << " steps" << nl;
+    }
     os << endl;
+    if (steps > 1e8)
+    {
+        WarningInFunction << "some " << steps << " steps to endTime" << nl
+                          << "    Is the limit that is far below the others "
+                          << "that of an entry in other units?" << endl;
+    }
 }
 
 void Foam::stepLimits::resume(Time& time) const

@@ -34,8 +34,7 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
         return;
     }
     refuseMisplaced(io);
-    Info << "No bodies: there is no file constant/deformableBodies" << nl
-         << endl;
+    Info << "No bodies: there is no file constant/deformableBodies\n" << endl;
     system_.effects.declare("bodies", false, "no constant/deformableBodies");
     writeOpt() = IOobject::NO_WRITE;
 }
@@ -48,8 +47,8 @@ void Foam::bodyCollection::refuseMisplaced(const IOobject& io) const
         << "there is no file "
         << (io.instance() / io.db().dbDir() / io.name()).c_str()
         << ", but a file " << other.c_str() << nl
-        << "    Bodies are read from the first only: move the file, or "
-        << "take it away for a run without bodies" << exit(FatalError);
+        << "    Bodies are read from the first only: move the file, or take "
+           "it away for a run without bodies" << exit(FatalError);
 }
 
 void Foam::bodyCollection::read(const IOobject& io)
@@ -261,7 +260,9 @@ Foam::bodyCollection::snapshot Foam::bodyCollection::save() const
         s.numbers.append(group.mine());
         s.states.append(group.states());
     }
-    if (system_.interactions) s.interactions = system_.interactions->memory();
+    if (!system_.interactions) return s;
+    s.interactions = system_.interactions->memory();
+    s.contactWork = system_.interactions->samples().work();
     return s;
 }
 
@@ -270,10 +271,7 @@ void Foam::bodyCollection::restore(const snapshot& s)
     forAll(system_.groups, g)
     {
         bodyGroup& group = system_.groups[g];
-        while (group.mine().size())
-        {
-            group.release(group.mine().size() - 1);
-        }
+        while (group.mine().size()) group.release(group.mine().size() - 1);
         forAll(s.numbers[g], i)
         {
             group.insert(s.numbers[g][i], s.states[g][i], dictionary::null);
@@ -282,6 +280,7 @@ void Foam::bodyCollection::restore(const snapshot& s)
     if (system_.interactions)
     {
         system_.interactions->remember(s.interactions);
+        system_.interactions->samples().setWork(s.contactWork);
         system_.interactions->outdate();
     }
     trouble_.clear();

@@ -96,8 +96,9 @@ void Foam::bodyReader::addNuclei(const dictionary& bodies, const word& name,
     const nucleusReader reader(group, system_.groups[host], system_.grid);
     const dictionary nuclei(reader.group());
     bodyScene within(scene);
-    within.mu *= system_.groups[host].inside()->viscosityRatio();
     within.insideBodies = true;
+    within.viscosityAround = system_.groups[host].inside()->viscosityRatio();
+    within.mu *= within.viscosityAround;
     system_.groups.append(bodyGroup::New(inside, nuclei, within).ptr());
     system_.groups.last().setHost(host, system_.groups[host]);
     if (!system_.groups[host].nearSources() ||

@@ -69,8 +69,8 @@ Foam::boxChecks::boxChecks(const fvMesh& mesh, PtrList<bodyGroup>& groups,
     }
     forAll(groups_, g)
     {
-        anyForcing_ =
-            anyForcing_ || groups_[g].forcing() == forcingType::ofLines;
+        anyLines_ =
+            anyLines_ || groups_[g].forcing() == forcingType::ofLines;
     }
 }
 
@@ -130,7 +130,7 @@ Foam::boxChecks::fate Foam::boxChecks::look(string& trouble)
     if (anySides_)
     {
         worst = removeOutside(trouble);
-        if (anyForcing_) warnOfWalls();
+        if (anyLines_) warnOfWalls();
     }
     close_.look();
     return worst;

@@ -177,9 +177,9 @@ Foam::point Foam::capsuleGroup::centreOf(const scalarList& state,
         waitForMaster();
         FatalIOErrorInFunction(source)
             << "the saved state of body " << body << " of group " << name()
-            << " has " << state.size() << " numbers where "
-            << 3 + 2 * initial_.size()
-            << " belong to its harmonics: was the entry harmonics changed?"
+            << " has harmonics " << capsule::degreeOf(state)
+            << " (-1: it is none of a capsule), the group "
+            << harmonics().degree() << ": was the entry harmonics changed?"
             << exit(FatalIOError);
     }
     return capsule::centreOf(state);

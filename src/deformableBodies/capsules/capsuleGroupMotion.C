@@ -28,8 +28,8 @@ void keepVolume(const capsule& c, const scalar volume, const scalar dt,
     }
 }
 
-//- Move a shape along the gradient g of its volume, so that it encloses `volume`, if more than
-//  1e-4 of it is lacking: the first large step
+//- Restore the volume of a shape along its gradient g, if it is off by more than 1e-4, as after
+//  a large first step
 bool restoreVolume(const numbers& g, const scalar volume, numbers& x)
 {
     double now = 0, gg = 0;
@@ -104,8 +104,8 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
             next[j] *= filter_[j];
         }
 
-        // The last good state stays in place where the new one is none. What is
-        // checked has the derivatives on the grid
+        // A capsule that fails keeps its last state. check() leaves the derivatives of a
+        // good shape on the grid
         string wrong(finite ? shell_->check(next)
                             : string("marker velocity is not finite"));
         if (wrong.empty())

@@ -130,10 +130,11 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                  {"area", referenceArea_}};
 
     setNearField(dict, extent);
+    const scalar ratio = viscosityRatio_ / scene_.viscosityAround;
     motion_ = capsuleMotion::New(dict,
                                  {*shell_, harmonics(), radius_,
-                                  0.5 * (1 + viscosityRatio_) * scene_.mu,
-                                  scene_.rho, scene_.effects, viscosityRatio_},
+                                  0.5 * (1 + ratio) * scene_.mu, scene_.rho,
+                                  scene_.effects, ratio},
                                  scene_, nearField_.get());
     filter_ = readFilter(dict, harmonics());
     warnOfHarmonics(dict, degree, moved);
@@ -271,8 +272,9 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
         unknown = "rho K h^2/(mu^2 a) = " + Foam::name(inertia) +
                   " (K: Gs, or a third of the area modulus), known up to " +
                   Foam::name(maxInertia);
-    else if (viscosityRatio_ > maxViscosityRatio)
-        unknown = "viscosityRatio " + Foam::name(viscosityRatio_) +
+    else if (viscosityRatio_ > maxViscosityRatio * scene_.viscosityAround)
+        unknown = "viscosityRatio " +
+                  Foam::name(viscosityRatio_ / scene_.viscosityAround) +
                   ", known up to " + Foam::name(maxViscosityRatio);
 
     const bool on = entry.on || (entry.automatic && unknown.empty());

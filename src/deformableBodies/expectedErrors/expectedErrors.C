@@ -111,8 +111,8 @@ Foam::scalar Foam::stepFor(expectedErrors& group, const scalar wanted)
         else
             left -= part.error;
     }
-    left = min(left, most);
-    if (!step || left <= 0) return GREAT;
+    if (!step) return GREAT;
+    left = left > 0 ? min(left, most) : 0.5 * wanted;
     const scalar deltaT = step->deltaT(left);
     if (step->error < 0 || step->error > left)
     {

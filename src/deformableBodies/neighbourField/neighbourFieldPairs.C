@@ -17,7 +17,7 @@ const scalar nearGap = 4, farGap = 6, closeGap = 1.5, apartGap = 2.5;
 //- Spacing of the points of each level [cells]
 const scalar levelSpacing[] = {1.1, 2};
 
-//- Degree from which on surfaces do not exchange anything
+//- Largest degree of the harmonics that surfaces exchange
 const label largestDegree = 8;
 
 //- 1 below a, 0 above b
@@ -65,25 +65,19 @@ bool Foam::neighbourField::isPartner(const bodyHere& a, const bodyHere& b) const
             groups_[b.group].host() == a.group);
 }
 
-Foam::scalar Foam::neighbourField::stretch(const bodyHere& a,
-                                           const bodyHere& b)
-{
-    return b.wall < 0 ? 1 : a.number == b.number ? 2 : 0.5;
-}
-
 Foam::scalar Foam::neighbourField::gap(const bodyHere& a, const bodyHere& b,
                                        const vector& shift) const
 {
-    const scalar h = grid_.h().x(), far = stretch(a, b) * farGap;
+    const scalar h = grid_.h().x();
     const vector r(b.centre + shift - a.centre);
     const scalar apart = mag(r), ofSpheres = (apart - a.radius - b.radius) / h;
-    if (ofSpheres > far || apart < SMALL * h) return ofSpheres;
+    if (ofSpheres > farGap || apart < SMALL * h) return ofSpheres;
 
     // Planes across the line of the centres, then across that of the points that these
     // touch, and once more
     scalar largest = -GREAT;
     vector e(r / apart);
-    for (label i = 0; i < 3 && largest < far * h; ++i)
+    for (label i = 0; i < 3 && largest < farGap * h; ++i)
     {
         const vector between(furthest(b.X, -e) + shift - furthest(a.X, e));
         largest = max(largest, between & e);
@@ -114,8 +108,8 @@ void Foam::neighbourField::findPairs(const label a, const label b)
     if (first.X.empty() || second.X.empty()) return;
     const vector L(grid_.length());
     const vector nearest(nearestImage(grid_, second.centre, first.centre));
-    const scalar far = stretch(first, second) * farGap;
-    const scalar reach = first.radius + second.radius + far * grid_.h().x();
+    const scalar reach = first.radius + second.radius + farGap * grid_.h().x();
+    if (magSqr(nearest) > sqr(reach)) return;
     for (label image = 0; image < 27; ++image)
     {
         const labelVector at(image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1);
@@ -135,7 +129,7 @@ void Foam::neighbourField::findPairs(const label a, const label b)
                    mag(r) < max(first.radius, second.radius)};
         if (nucleiOnly_ && !p.inside) continue;
         p.gap = p.inside ? 0 : gap(first, second, p.shift);
-        if (p.gap < far) pairs_.push_back(p);
+        if (p.gap < farGap) pairs_.push_back(p);
     }
 }
 
@@ -233,8 +227,7 @@ void Foam::neighbourField::add(const pair& p, const level l,
 
 void Foam::neighbourField::add(const pair& p)
 {
-    const scalar gap = p.gap / stretch(here_[p.a], here_[p.b]);
-    const scalar weight = p.inside ? 1 : fade(gap, nearGap, farGap);
+    const scalar weight = p.inside ? 1 : fade(p.gap, nearGap, farGap);
     const scalar close = p.inside ? 1 : fade(p.gap, closeGap, apartGap);
     if (close > 0) add(p, CLOSE, weight * close);
     if (close < 1) add(p, FAR, weight * (1 - close));

@@ -166,7 +166,7 @@ void Foam::rigidGroup::step(body& x, const surroundings& around,
 }
 
 std::vector<Foam::rigidStep::answer>
-Foam::rigidGroup::answers(const vector* U, const scalar* density,
+Foam::rigidGroup::freeMotions(const vector* U, const scalar* density,
                           const bodyStep& s)
 {
     const auto timing(scene_.effects.time("rigid"));

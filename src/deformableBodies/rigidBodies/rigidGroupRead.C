@@ -143,7 +143,7 @@ void Foam::rigidGroup::setNearField(const dictionary& dict,
     }
     scene_.effects.declare(
         "nearField", on,
-        on ? string("what the mesh withholds from rigid bodies")
+        on ? string("velocity that the kernel smooths away")
            : entry.whyNot);
 }
 

@@ -127,6 +127,7 @@ Foam::rigidShape::rigidShape(const dictionary& dict)
     {
         refuse(dict, "type", type, "(sphere ellipsoid)");
     }
+    area_ = spiral(semiAxes_).area();
 }
 
 Foam::scalar Foam::rigidShape::volume() const
@@ -137,11 +138,6 @@ Foam::scalar Foam::rigidShape::volume() const
 Foam::scalar Foam::rigidShape::radius() const
 {
     return std::cbrt(cmptProduct(semiAxes_));
-}
-
-Foam::scalar Foam::rigidShape::area() const
-{
-    return spiral(semiAxes_).area();
 }
 
 Foam::vector Foam::rigidShape::inertia() const

@@ -71,6 +71,57 @@ void printFlow(const scalar rho, const fluidViscosity& nu,
              << from.c_str() << ')';
     Info << nl;
 }
+
+//- Distance of the closest opposite sides that are no cyclic ones [m]; GREAT: there are none
+scalar gapOfSides(const uniformGrid& grid)
+{
+    scalar least = GREAT;
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (!grid.periodic(d)) least = min(least, grid.length()[d]);
+    }
+    return least;
+}
+
+//- Largest rate of strain of U, in cells at the sides of the box and in others [1/s]
+//  (collective)
+void largestRates(const volVectorField& U, scalar& atSides, scalar& inside)
+{
+    const tmp<volTensorField> gradU(fv::gaussGrad<vector>::gradf(
+        linearInterpolate(U), "gradientAtStart"));
+    scalarField rate(std::sqrt(2.0) * mag(symm(gradU().primitiveField())));
+    atSides = 0;
+    for (const fvPatchVectorField& side : U.boundaryField())
+    {
+        if (side.patch().coupled()) continue;
+        for (const label cell : side.patch().faceCells())
+        {
+            atSides = max(atSides, rate[cell]);
+            rate[cell] = 0;
+        }
+    }
+    inside = gMax(rate);
+    reduce(atSides, maxOp<scalar>());
+}
+
+//- Magnitude of Ubar of a meanVelocityForce in constant/fvOptions [m/s]; 0: there is none
+scalar heldVelocity(const fvMesh& mesh)
+{
+    const IOdictionary options(
+        IOobject("fvOptions", mesh.time().constant(), mesh,
+                 IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false));
+    scalar speed = 0;
+    for (const entry& e : options)
+    {
+        if (!e.isDict()) continue;
+        const word type(e.dict().getOrDefault<word>("type", word::null));
+        if (type != "meanVelocityForce") continue;
+        speed = max(speed, mag(e.dict()
+                                   .optionalSubDict(type + "Coeffs")
+                                   .getOrDefault<vector>("Ubar", Zero)));
+    }
+    return speed;
+}
 } // namespace
 
 Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh, string& from)
@@ -105,13 +156,28 @@ Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh, string& from)
     }
     reduce(s.speed, maxOp<scalar>());
     if (s.rate <= SMALL * s.speed / cmptMin(grid.h())) s.rate = 0;
-    if (s.rate == 0 && s.speed > 0)
+    if (s.rate > 0) return s;
+
+    const scalar width = gapOfSides(grid);
+    if (s.speed > 0)
     {
-        const tmp<volTensorField> gradU(fv::gaussGrad<vector>::gradf(
-            linearInterpolate(U), "gradientAtStart"));
-        s.rate = std::sqrt(2.0) * gMax(mag(symm(gradU().primitiveField()))());
+        scalar atSides = 0, inside = 0;
+        largestRates(U, atSides, inside);
+        s.rate = max(atSides, inside);
         from = "largest in the field U";
         if (s.rate <= 1e-9 * s.speed / cmptMax(grid.length())) s.rate = 0;
+        if (inside < 0.1 * atSides)
+        {
+            s.rate = 6 * s.speed / width;
+            from = "parabola between the sides, as U jumps there";
+        }
+    }
+    else if (width < GREAT)
+    {
+        const scalar mean = heldVelocity(mesh);
+        s.speed = 1.5 * mean;
+        s.rate = 6 * mean / width;
+        if (mean > 0) from = "parabola of Ubar of meanVelocityForce";
     }
     return s;
 }

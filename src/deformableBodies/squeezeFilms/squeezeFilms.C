@@ -5,6 +5,7 @@
 #include "rigidGroup.H"
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 namespace
@@ -135,11 +136,18 @@ void Foam::squeezeFilms::share(std::vector<film>& films,
                          std::tie(g.a, g.b, g.k, g.n.x(), g.n.y());
               });
 
+    std::set<label> inFilms;
+    for (const film& f : films)
+    {
+        inFilms.insert(f.a);
+        if (f.b >= 0) inFilms.insert(f.b);
+    }
     own.clear();
     for (const auto& x : bodies)
     {
+        if (!inFilms.count(x.first)) continue;
         const vector& V = x.second.velocity;
-        own.append({scalar(x.first), V.x(), V.y(), V.z(), x.second.yield});
+        own.append({scalar(x.first), V.x(), V.y(), V.z(), x.second.mobility});
     }
     const scalarList allBodies(ofAllRanks(own));
     bodies.clear();
@@ -179,7 +187,7 @@ Foam::squeezeFilms::solve(const std::vector<film>& films,
             for (const auto& q : body.second)
             {
                 entries.emplace_back(p.first, q.first,
-                                     bodies.at(body.first).yield * p.second *
+                                     bodies.at(body.first).mobility * p.second *
                                          q.second *
                                          (films[p.first].n & films[q.first].n));
             }
@@ -205,14 +213,14 @@ void Foam::squeezeFilms::act(const labelUList& groups, const vector* U,
         if (spheresOf(groups_[g]))
         {
             rigidGroup& spheres = refCast<rigidGroup>(groups_[g]);
-            std::vector<rigidStep::answer> answers;
-            if (any) answers = spheres.answers(U, density, step);
+            std::vector<rigidStep::answer> freeMotions;
+            if (any) freeMotions = spheres.freeMotions(U, density, step);
             forAll(spheres.mine(), i)
             {
                 spheres.setFilm(i, Zero);
                 if (!any) continue;
                 bodies[numbers_.number(g, spheres.mine()[i])] = {
-                    answers[i].velocity, answers[i].yield};
+                    freeMotions[i].velocity, freeMotions[i].mobility};
             }
         }
         U += n;

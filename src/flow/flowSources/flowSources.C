@@ -206,13 +206,6 @@ Foam::flowSources::flowSources(fv::optionList& options, volVectorField& U,
                     os.writeEntry("gradient", gradient_);
                     os.writeEntry("held", Switch(wasHeld_));
                 }));
-            if (Pstream::master())
-            {
-                file_ =
-                    newResultFile(U.time(), o.name(), "pressureGradient.dat");
-                *file_ << "# time gradient uncorrectedUbar" << endl;
-                file_->precision(12);
-            }
         }
     }
     const bool any = forcings_.size() || explicit_.size() || held_;
@@ -288,8 +281,15 @@ void Foam::flowSources::report()
     Info << "Pressure gradient source: uncorrected Ubar = "
          << flow_.mean().meanBefore()
          << ", pressure gradient = " << flow_.mean().gradient() << endl;
-    if (file_.valid())
+    if (Pstream::master())
     {
+        if (!file_.valid())
+        {
+            file_ =
+                newResultFile(U_.time(), held_->name(), "pressureGradient.dat");
+            *file_ << "# time gradient uncorrectedUbar" << endl;
+            file_->precision(12);
+        }
         *file_ << U_.time().value() << ' ' << flow_.mean().gradient() << ' '
                << flow_.mean().meanBefore() << endl;
     }

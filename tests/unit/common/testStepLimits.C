@@ -139,7 +139,8 @@ TEST(StepLimits, printsTheTable)
               "    diffusion   none, implicit\n"
               "    bodies      0.125 s, waves of group cells\n"
               "    controlDict none, no maxDeltaT; Courant number up to maxCo "
-              "0.5\n\n");
+              "0.5\n"
+              "    endTime     after some 800 steps\n\n");
     r.limits.setCourantNo(4);
     EXPECT_NE(table().find("flow        0.25 s, Courant number 1 for the "
                            "scheme\n"),

@@ -18,7 +18,7 @@ void actingGroups(const bodySystem& system, Visit visit)
 }
 } // namespace
 
-Foam::scalar Foam::bodyStress::contrast(const label g) const
+Foam::scalar Foam::bodyStress::excessViscosity(const label g) const
 {
     return system_.contrast ? system_.excessViscosity(g) : 0;
 }
@@ -45,7 +45,7 @@ Foam::wordList Foam::bodyStress::names() const
                      {
                          all.append(name + "Couple");
                      }
-                     if (contrast(g) != 0) all.append(name + "Viscosity");
+                     if (excessViscosity(g) != 0) all.append(name + "Viscosity");
                  });
     if (system_.interactions)
     {
@@ -124,9 +124,9 @@ Foam::tensorField Foam::bodyStress::parts() const
                      {
                          all.append(-perVolume * couple);
                      }
-                     if (contrast(g) != 0)
+                     if (excessViscosity(g) != 0)
                      {
-                         all.append(perVolume * contrast(g) * system_.rho *
+                         all.append(perVolume * excessViscosity(g) * system_.rho *
                                     system_.nu->value() * viscousMoment(g));
                      }
                  });

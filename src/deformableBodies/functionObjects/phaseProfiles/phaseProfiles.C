@@ -40,6 +40,8 @@ Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
             IOobject("transportProperties", mesh_.time().constant(), mesh_,
                      IOobject::MUST_READ, IOobject::NO_WRITE, false));
         nu_ = fluidViscosity(mesh_, transport, dictionary::null).value();
+        if (transport.found("rho"))
+            rho_ = readPositive(transport, "rho", dimDensity);
     }
     g_ = readDirection(dict, "across", acrossSides(grid_));
     const shearSides sides(shearSides::of(mesh_));
@@ -144,12 +146,14 @@ bool Foam::functionObjects::phaseProfiles::execute()
     if (dt == 0) return true;
     weight_ += dt;
     const label n = grid_.n()[g_];
-    const scalar h = grid_.h()[g_], rho = bodies_.statistics().rho(),
-                 mu = bodies_.empty() ? rho * nu_ : bodies_.statistics().mu();
+    const bool none = bodies_.empty();
+    const scalar h = grid_.h()[g_],
+                 rho = none ? rho_ : bodies_.statistics().rho(),
+                 mu = none ? rho_ * nu_ : bodies_.statistics().mu();
     const layerMeans means(bodies_.statistics().layers(f_, g_));
     u_ += dt * means.u;
     squares_ += dt * means.squares;
-    const scalarField force(bodies_.empty()
+    const scalarField force(none
                                 ? scalarField(n, Zero)
                                 : bodies_.statistics().forces(f_, g_));
     const scalar layer = grid_.volume() / n;

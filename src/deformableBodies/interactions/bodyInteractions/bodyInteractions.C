@@ -19,7 +19,7 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
       walls_(mesh, scene.grid),
       models_(dict, interactionScene::of(mesh, groups, scene, nearField),
               scene.effects),
-      areas_(groups.size()),
+      surfaces_(groups.size()),
       near_(scene.grid, walls_, models_.range()),
       points_(scene.grid),
       watch_(
@@ -32,7 +32,11 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
         if (!interactionScene::takesPart(groups_[g])) continue;
         scene.forces.append(new interactionForce(groups_[g].name(), *this, g));
         const bodyPoints p(groups_[g].points(-1));
-        if (p.isSurface()) areas_[g] = mag(p.areas);
+        if (p.isSurface())
+        {
+            surfaces_[g] = contactSurface(p.positions, mag(p.areas),
+                                          models_.surfaceRange());
+        }
         if (resists() && !p.isSurface() &&
             groups_[g].forcing() == forcingType::none)
         {

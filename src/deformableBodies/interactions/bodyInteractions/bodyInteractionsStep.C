@@ -100,7 +100,7 @@ void Foam::bodyInteractions::collectSurface(const label index,
                                             const nearBodies::body& b)
 {
     const bodyGroup& group = groups_[b.group];
-    const scalarField& areas = areas_[b.group];
+    const contactSurface& surface = surfaces_[b.group];
     const auto place = [&](vector* X, vector* V)
     {
         group.contactPoints(b.local, X, V);
@@ -109,12 +109,12 @@ void Foam::bodyInteractions::collectSurface(const label index,
         // Bodies of direct forcing are at the start of the step. A force in its middle
         // neither gives energy to an elastic contact nor takes it
         const scalar half = 0.5 * time_.deltaTValue();
-        forAll(areas, k)
+        for (label k = 0; k < surface.nMarkers(); ++k)
         {
             X[k] += half * V[k];
         }
     };
-    points_.addSurface(index, b.number, areas, place);
+    points_.addSurface(index, b.number, surface, place);
 }
 
 void Foam::bodyInteractions::act(contactSearch& search, const labelUList& body,
@@ -164,8 +164,9 @@ Foam::vectorField Foam::bodyInteractions::touchingAreas() const
         {
             continue;
         }
-        SubField<vector>(areas, points.size, points.first) =
-            groups_[body.group].points(body.local).areas;
+        const vectorField of(groups_[body.group].points(body.local).areas);
+        std::copy(of.begin(), of.end(), areas.begin() + points.first);
+        surfaces_[body.group].setMiddles(areas.data() + points.first);
     }
     return areas;
 }
@@ -185,10 +186,12 @@ void Foam::bodyInteractions::actOfWalls()
             const scalar distance = walls_.distance(x, inward);
             if (distance >= models_.range()) continue;
             const interactingPoint& p = points_.points()[k];
-            const scalar P = models_.ofWall(distance - p.radius, p.radius == 0);
+            const auto ofWall =
+                models_.ofWall(distance - p.radius, p.radius == 0);
+            const scalar P = ofWall.first;
             const vector force(P * p.size * inward);
             points_.forces().F[k] += force;
-            points_.stiffness()[k] += 6 * mag(force) / models_.range();
+            points_.stiffness()[k] += ofWall.second * p.size;
             wallMoment_ += force * (centre - (x - distance * inward));
 
             // A point without velocity is held at the wall
@@ -214,7 +217,7 @@ void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
 
     // Velocities that the points of this rank would have; effect of a force on each body
     lineMotions motions(points_.size());
-    scalarField yield(near_.bodies().size(), Zero);
+    scalarField mobility(near_.bodies().size(), Zero);
     vectorField v;
     for (const label g : groups)
     {
@@ -225,7 +228,7 @@ void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
             const label b = near_.find(numbers_.number(g, group.mine()[i]));
             if (near_.bodies()[b].near)
             {
-                yield[b] = refCast<const directForcing>(group).freeVelocities(
+                mobility[b] = refCast<const directForcing>(group).freeVelocities(
                     i, U, lineDensity, step, v);
                 points_.moveLine(b, group.points(i).positions, v, motions);
             }
@@ -236,6 +239,6 @@ void Foam::bodyInteractions::resist(const labelUList& groups, const vector* U,
     const tensor before(momentAboutCentres());
     const fibreResistances all(models_.resistances(), *linePairs_, walls_,
                                effects_);
-    samples_.addPower(all.add(motions, yield, points_), step.dt);
+    samples_.addPower(all.add(motions, mobility, points_), step.dt);
     filmMoment_ = points_.forces().moment - (momentAboutCentres() - before);
 }

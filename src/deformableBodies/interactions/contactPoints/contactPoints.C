@@ -7,6 +7,8 @@ void Foam::contactPoints::clear(const label nBodies)
 {
     ranges_.clear();
     ranges_.setSize(nBodies, range{0, 0});
+    surfaces_.clear();
+    surfaces_.setSize(nBodies, nullptr);
     body_.clear();
     X_.clear();
     V_.clear();
@@ -93,14 +95,13 @@ void Foam::contactPoints::moveLine(const label index, const UList<vector>& x,
 void Foam::contactPoints::addTo(const label index, vectorField& F) const
 {
     const range& points = ranges_[index];
-    for (label i = 0; i < points.size; ++i)
+    if (surfaces_[index])
     {
-        const label k = points.first + i;
-        if (k < firstOfLines_)
-        {
-            F[i] += F_.F[k];
-            continue;
-        }
+        surfaces_[index]->addTo(F_.F.cdata() + points.first, F);
+        return;
+    }
+    for (label k = points.first; k < points.end(); ++k)
+    {
         const partOfSegment& on = parts_[k - firstOfLines_];
         vector ahead(on.onward * F_.F[k]);
         if (F_.arms.size()) ahead += on.part * F_.arms[k];

@@ -25,11 +25,11 @@ Foam::fibreResistances::motionsHere(const lineMotions& own) const
 
 Foam::scalarField Foam::fibreResistances::implicit(const contactPoints& points,
                                                    const scalarField& along,
-                                                   const UList<scalar>& yield,
+                                                   const UList<scalar>& mobility,
                                                    const scalarField& k)
 {
     scalarField loss(k);
-    forAll(yield, b)
+    forAll(mobility, b)
     {
         const contactPoints::range& body = points.ofBody(b);
         scalar all = 0, turning = 0;
@@ -40,14 +40,14 @@ Foam::scalarField Foam::fibreResistances::implicit(const contactPoints& points,
         }
         for (label m = body.first; m < body.end(); ++m)
         {
-            loss[m] = yield[b] * (all + 12 * along[m] * turning);
+            loss[m] = mobility[b] * (all + 12 * along[m] * turning);
         }
     }
     return loss;
 }
 
 Foam::scalar Foam::fibreResistances::add(const lineMotions& own,
-                                         const UList<scalar>& yield,
+                                         const UList<scalar>& mobility,
                                          contactPoints& points) const
 {
     const closePairs& pairs = search_.pairs();
@@ -61,7 +61,7 @@ Foam::scalar Foam::fibreResistances::add(const lineMotions& own,
     }
     pairs.addUp(k, 1, ownK.data());
     const scalarField loss(
-        pairs.handOut(implicit(points, own.along, yield, ownK).cdata(), 1));
+        pairs.handOut(implicit(points, own.along, mobility, ownK).cdata(), 1));
 
     armedForces here{vectorField(nHere, Zero), vectorField(nHere, Zero), Zero};
     for (contactResistance& model : models_)

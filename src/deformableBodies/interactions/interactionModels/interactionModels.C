@@ -80,15 +80,18 @@ Foam::scalar Foam::interactionModels::maxDeltaT(const scalar now) const
     return smallest;
 }
 
-Foam::scalar Foam::interactionModels::ofWall(const scalar distance,
-                                             const bool isSurface) const
+std::pair<Foam::scalar, Foam::scalar>
+Foam::interactionModels::ofWall(const scalar distance,
+                                const bool isSurface) const
 {
-    scalar P = 0;
+    std::pair<scalar, scalar> sum(0, 0);
     for (const contactForce& force : forces_)
     {
-        P += force.ofWall(distance, isSurface);
+        const scalar P = force.ofWall(distance, isSurface);
+        sum.first += P;
+        if (P > 0) sum.second += P * force.wallSteepness(distance);
     }
-    return P;
+    return sum;
 }
 
 Foam::List<Foam::scalarList> Foam::interactionModels::memory() const

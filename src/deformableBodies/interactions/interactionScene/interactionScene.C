@@ -39,7 +39,8 @@ Foam::interactionScene::of(const fvMesh& mesh, const PtrList<bodyGroup>& groups,
         if (all.loads.last().isSurface && groups[g].host() < 0)
         {
             all.nOutside += groups[g].nBodies();
-            all.share += groups[g].nBodies() * 4.18879 *
+            all.share += groups[g].nBodies() * 4 *
+                         constant::mathematical::pi / 3 *
                          pow3(all.loads.last().radius) / scene.grid.volume();
         }
         const nearSurface* surface = groups[g].nearSources();

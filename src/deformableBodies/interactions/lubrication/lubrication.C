@@ -67,8 +67,8 @@ Foam::lubrication::lubrication(const dictionary& dict,
 
 Foam::string Foam::lubrication::describe() const
 {
-    return "gaps from " + Foam::name(range_) + " on, alike below " +
-           Foam::name(roughness_);
+    return "gaps below " + Foam::name(range_) + " m, constant below " +
+           Foam::name(roughness_) + " m";
 }
 
 Foam::lubrication::film Foam::lubrication::between(const vector& e1,

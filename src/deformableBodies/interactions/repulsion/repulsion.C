@@ -26,17 +26,17 @@ contactStrength strengthFor(const contactLoad& load,
     string reason(load.reason);
 
     // Membranes give way until their own stress carries the load
-    const scalar soft = max(10 * load.softness, load.own / (pi * sqr(a)));
+    const scalar soft = max(20 * load.softness, load.own / (pi * sqr(a)));
     if (soft < S)
     {
         S = soft;
-        reason = "10 Gs/a";
+        reason = "20 Gs/a";
     }
 
     // F = 2 pi a P R/6 at high loads, and 2 pi a P is its stiffness
     const scalar dt = scene.deltaT;
     const scalar most =
-        max((3 * load.own + load.force - load.own) / (a * range),
+        max((2 * load.own + load.force) / (a * range),
             0.5 * (load.mass / dt + load.drag) / (pi * a * dt));
     return {S, reason, nullptr, most};
 }
@@ -62,7 +62,7 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
     }
     const auto strength = [&](const scalar range)
     {
-        contactStrength all{0, "10 Gs/a", scene.deltaTOf(true, range), 0};
+        contactStrength all{0, "20 Gs/a", scene.deltaTOf(true, range), 0};
         for (const contactLoad& load : scene.loads)
         {
             if (!load.isSurface) continue;
@@ -72,7 +72,7 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
             all.value = s.value;
             all.reason = s.reason;
         }
-        if (all.value == 0) all.value = 10 * scene.softest;
+        if (all.value == 0) all.value = 20 * scene.softest;
         if (all.most == 0) all.most = GREAT;
         return all;
     };

@@ -326,7 +326,7 @@ TEST(ClosePairs, pressureOfPlanes)
                               mag(force / model.ofWall(distance * R, true) - 1),
                               0.03);
         }
-        EXPECT_NEAR(model.ofWall(0.5 * R, true) / 20, law[4] == 'M' ? 1 : 0.777,
+        EXPECT_NEAR(model.ofWall(0.5 * R, true) / 40, law[4] == 'M' ? 1 : 0.777,
                     1e-3);
         EXPECT_EQ(model.ofWall(R, true), 0);
         EXPECT_NEAR(R, 1.5 * cmptMax(grid().h()), 1e-12 * h);

@@ -16,7 +16,10 @@ const uniformGrid& grid()
 struct scene
 {
     const scalar h = cmptMax(grid().h()), radius = 0.2 * h;
-    const scalarField areas{scalarList({1, 2, 3, 4})};
+    const contactSurface surface{
+        vectorField(List<vector>({vector(1, 0, 0), vector(0, 1, 0),
+                                  vector(-1, 0, 0), vector(0, -1, 0)})),
+        scalarField(scalarList({1, 2, 3, 4})), GREAT};
     const vectorField x{List<vector>(
         {vector(0, 0, 0), vector(2.3 * h, 0, 0), vector(2.3 * h, 1.1 * h, 0)})};
     const vectorField v{
@@ -27,7 +30,7 @@ struct scene
         : points(grid())
     {
         points.clear(3); // the first body is not near anything
-        points.addSurface(2, 12, areas,
+        points.addSurface(2, 12, surface,
                           [](vector* X, vector* V)
                           {
                               for (label k = 0; k < 4; ++k)
@@ -40,6 +43,43 @@ struct scene
     }
 };
 } // namespace
+
+// Middles between markers have the area of the surface; forces on them have the sum, torque and
+// power of those on the markers
+TEST(ContactPoints, middlesBetweenMarkers)
+{
+    const label n = 300;
+    vectorField X(n), V(n);
+    for (label k = 0; k < n; ++k)
+    {
+        const scalar z = 1 - (2 * k + 1.0) / n, turn = 2.399963 * k;
+        X[k] = vector(std::sqrt(1 - z * z) * std::cos(turn),
+                      std::sqrt(1 - z * z) * std::sin(turn), z);
+    }
+    const scalarField areas(n, 4 * constant::mathematical::pi / n);
+    const contactSurface all(X, areas, 0.25), markers(X, areas, 1);
+    EXPECT_EQ(markers.size(), n);
+    EXPECT_NEAR(scalar(all.size()) / n, 4.1, 0.2);
+    EXPECT_NEAR(sum(all.areas()) / sum(areas), 1, 1e-13);
+    EXPECT_LT(max(all.areas()), 0.4 * areas[0]);
+
+    Random random(1);
+    vectorField x(all.size()), v(all.size()), f(all.size());
+    for (label k = 0; k < all.size(); ++k)
+    {
+        if (k < n) x[k] = X[k];
+        if (k < n) v[k] = random.sample01<vector>();
+        f[k] = random.sample01<vector>();
+    }
+    all.setMiddles(x.data());
+    all.setMiddles(v.data());
+    vectorField F(n, Zero);
+    all.addTo(f.cdata(), F);
+    const vector torque(sum(x ^ f));
+    EXPECT_LE(mag(sum(F) - sum(f)), 1e-11);
+    EXPECT_LE(mag(sum(X ^ F) - torque), 1e-11);
+    EXPECT_NEAR(sum(SubField<vector>(v, n) & F), sum(v & f), 1e-10);
+}
 
 // Surfaces first, points of fibres at most half a cell apart, sizes that add up to the
 // area of a fibre

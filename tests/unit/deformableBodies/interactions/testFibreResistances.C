@@ -24,9 +24,9 @@ TEST(FibreResistances, implicitLossOfRods)
     {
         k[i] = 1 + i % 3;
     }
-    const scalarField yield{scalarList({0.5, 7, 2})};
+    const scalarField mobility{scalarList({0.5, 7, 2})};
     const scalarField loss(
-        fibreResistances::implicit(points, motions.along, yield, k));
+        fibreResistances::implicit(points, motions.along, mobility, k));
     scalar wrong = 0;
     for (const label b : {0, 2})
     {
@@ -37,7 +37,7 @@ TEST(FibreResistances, implicitLossOfRods)
             scalar expected = 0;
             for (label j = body.first; j < body.end(); ++j)
             {
-                expected += yield[b] * k[j] *
+                expected += mobility[b] * k[j] *
                             (1 + 12 * motions.along[i] * motions.along[j]);
             }
             wrong = max(wrong, mag(loss[i] / expected - 1));
