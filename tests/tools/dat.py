@@ -146,6 +146,12 @@ def energyBalance(folder, begin: float, volume: float = 1, *groups):
     return "%.4f" % abs(power / (mean(t, late["dissipation"]) + (K[-1] - K[0]) / (t[-1] - t[0])) - 1)
 
 
+def turbulenceApart(folder, other):
+    """Dissipation and kinetic energy at the last time, departures from those of another run."""
+    last = [Case(name).table("spectrum", "turbulence.dat").rows[-1] for name in (folder, other)]
+    return "%+.2e | %+.2e" % tuple(last[0][[2, 1]] / last[1][[2, 1]] - 1)
+
+
 def kineticEnergy(file, cells: int):
     """ABC flow of amplitude 1 in a box of 2 pi after t = 150: largest departure from
     the energy of its discrete curl, and drift between the halves of that time."""

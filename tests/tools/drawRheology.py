@@ -1,6 +1,7 @@
 """Figure of the study of suspensions: drawRheology.py table.csv picture.png
 
-A row of panels for each Reynolds number of capsules and of fibres; a column for each quantity."""
+A row of panels for each Reynolds number of capsules and of fibres; a column for each quantity. Points of
+the second kind (a wide box, no lubrication) are left out."""
 import re
 import sys
 from deformablebodies import figures
@@ -29,7 +30,7 @@ def draw(panels, rows, key, x, look):
                            **look(value))
 
 
-rows = records(sys.argv[1])
+rows = [r for r in records(sys.argv[1]) if not re.search(r"\.[a-zA-Z]+$", r["point"])]
 kinds = [(kind, Re, [r for r in rows if r["point"].startswith("%s.Re%s." % (kind, Re))])
          for kind in ("capsules", "fibres") for Re in ("0.1", "1", "10")]
 kinds = [k for k in kinds if k[2]]

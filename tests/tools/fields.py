@@ -27,6 +27,12 @@ def difference(a, b):
     return "%.2e" % (np.abs(a - b).max() / np.abs(b).max())
 
 
+def rmsDifference(a, b):
+    """Root mean square of the difference of two fields of vectors over that of the second."""
+    a, b = field(a), field(b)
+    return "%.2e" % np.sqrt(((a - b)**2).sum() / (b**2).sum())
+
+
 def meanX(file):
     """Mean absolute value of the first component."""
     return "%.17g" % np.abs(field(file)[:, 0]).mean()

@@ -127,6 +127,7 @@ def fieldsAreTheSameInBothFormats():
     near(fields.field("ascii"), values, 0)
     near(fields.field("binary"), values, 0)
     near(fields.difference("ascii", "binary"), 0)
+    near(fields.rmsDifference("ascii", "binary"), 0)
     near(fields.resultant("ascii"), values.sum(0).max() / values.max(), 5e-3)
 
 
