@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "sceneNumbers.H"
+#include "caseFiles.H"
 #include "gaussGrad.H"
 #include "shearSides.H"
 #include "StringStream.H"
@@ -103,25 +104,6 @@ void largestRates(const volVectorField& U, scalar& atSides, scalar& inside)
     inside = gMax(rate);
     reduce(atSides, maxOp<scalar>());
 }
-
-//- Magnitude of Ubar of a meanVelocityForce in constant/fvOptions [m/s]; 0: there is none
-scalar heldVelocity(const fvMesh& mesh)
-{
-    const IOdictionary options(
-        IOobject("fvOptions", mesh.time().constant(), mesh,
-                 IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false));
-    scalar speed = 0;
-    for (const entry& e : options)
-    {
-        if (!e.isDict()) continue;
-        const word type(e.dict().getOrDefault<word>("type", word::null));
-        if (type != "meanVelocityForce") continue;
-        speed = max(speed, mag(e.dict()
-                                   .optionalSubDict(type + "Coeffs")
-                                   .getOrDefault<vector>("Ubar", Zero)));
-    }
-    return speed;
-}
 } // namespace
 
 Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh, string& from)
@@ -174,7 +156,12 @@ Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh, string& from)
     }
     else if (width < GREAT)
     {
-        const scalar mean = heldVelocity(mesh);
+        scalar mean = 0;
+        for (const dictionary& coeffs :
+             optionsOfType(mesh, "meanVelocityForce"))
+        {
+            mean = max(mean, mag(coeffs.getOrDefault<vector>("Ubar", Zero)));
+        }
         s.speed = 1.5 * mean;
         s.rate = 6 * mean / width;
         if (mean > 0) from = "parabola of Ubar of meanVelocityForce";

@@ -90,29 +90,12 @@ Foam::string Foam::flowSources::unsupported(const fv::option& o,
 
 void Foam::flowSources::refuseNoDirection(const fvMesh& mesh)
 {
-    for (const word& place : {mesh.time().constant(), mesh.time().system()})
+    for (const dictionary& coeffs : optionsOfType(mesh, "meanVelocityForce"))
     {
-        const IOdictionary options(IOobject("fvOptions", place, mesh,
-                                            IOobject::READ_IF_PRESENT,
-                                            IOobject::NO_WRITE, false));
-        for (const entry& e : options)
-        {
-            const word type("meanVelocityForce");
-            if (!e.isDict() || e.dict().getOrDefault<word>("type", "") != type)
-            {
-                continue;
-            }
-            const dictionary& coeffs =
-                e.dict().optionalSubDict(type + "Coeffs");
-            if (mag(coeffs.getOrDefault<vector>("Ubar", vector::one)) > 0)
-            {
-                continue;
-            }
-            refuse(
-                coeffs, "Ubar", "(0 0 0)",
-                "a velocity, as the pressure gradient is along it; for no net "
-                "flux in x one far below that of the flow, Ubar (1e-12 0 0)");
-        }
+        if (mag(coeffs.getOrDefault<vector>("Ubar", vector::one)) > 0) continue;
+        refuse(coeffs, "Ubar", "(0 0 0)",
+               "a velocity, as the pressure gradient is along it; for no net "
+               "flux in x one far below that of the flow, Ubar (1e-12 0 0)");
     }
 }
 

@@ -254,6 +254,26 @@ Foam::fileName Foam::fileInOtherCase(const IOobject& io)
     return found;
 }
 
+Foam::List<Foam::dictionary> Foam::optionsOfType(const polyMesh& mesh,
+                                                 const word& type)
+{
+    List<dictionary> all;
+    for (const word& place : {mesh.time().constant(), mesh.time().system()})
+    {
+        const IOdictionary options(IOobject("fvOptions", place, mesh,
+                                            IOobject::READ_IF_PRESENT,
+                                            IOobject::NO_WRITE, false));
+        for (const entry& e : options)
+        {
+            if (e.isDict() && e.dict().getOrDefault<word>("type", "") == type)
+            {
+                all.append(e.dict().optionalSubDict(type + "Coeffs"));
+            }
+        }
+    }
+    return all;
+}
+
 Foam::fileName Foam::outputFolder(const polyMesh& mesh, const fileName& folder)
 {
     return mesh.time().globalPath() / folder / mesh.dbDir();
