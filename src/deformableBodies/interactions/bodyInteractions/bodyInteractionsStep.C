@@ -89,7 +89,11 @@ void Foam::bodyInteractions::collectPoints()
     {
         const nearBodies::body& body = bodies[b];
         if (!body.near || isSurface(body.group)) continue;
-        const bodyPoints p(groups_[body.group].points(body.local));
+        bodyPoints p(groups_[body.group].points(body.local));
+        if (!resists())
+        {
+            p.positions += 0.5 * time_.deltaTValue() * p.velocities;
+        }
         points_.addLine(b, body.number, p.positions, p.velocities,
                         std::sqrt(p.crossSection / constant::mathematical::pi),
                         body.folded);
@@ -107,7 +111,8 @@ void Foam::bodyInteractions::collectSurface(const label index,
         if (group.forcing() == forcingType::none) return;
 
         // Bodies of direct forcing are at the start of the step. A force in its middle
-        // neither gives energy to an elastic contact nor takes it
+        // neither gives energy to an elastic contact nor takes it. Fibres with films,
+        // which take it, stay at the start
         const scalar half = 0.5 * time_.deltaTValue();
         for (label k = 0; k < surface.nMarkers(); ++k)
         {
@@ -173,6 +178,8 @@ Foam::vectorField Foam::bodyInteractions::touchingAreas() const
 
 void Foam::bodyInteractions::actOfWalls()
 {
+    // Fibres with films are at the start of the step (collectSurface)
+    const scalar toMiddle = resists() ? 0.5 * time_.deltaTValue() : 0;
     for (label b = 0; b < near_.nBodies(); ++b)
     {
         const nearBodies::body& body = near_.bodies()[b];
@@ -181,11 +188,12 @@ void Foam::bodyInteractions::actOfWalls()
         const point centre(groups_[body.group].centre(body.local));
         for (label k = points.first; k < points.end(); ++k)
         {
-            const vector& x = points_.X()[k];
+            const interactingPoint& p = points_.points()[k];
+            const vector x(points_.X()[k] +
+                           (p.radius > 0 ? toMiddle : 0) * points_.V()[k]);
             vector inward;
             const scalar distance = walls_.distance(x, inward);
             if (distance >= models_.range()) continue;
-            const interactingPoint& p = points_.points()[k];
             const auto ofWall =
                 models_.ofWall(distance - p.radius, p.radius == 0);
             const scalar P = ofWall.first;
