@@ -60,17 +60,17 @@ Foam::expectedError Foam::ofForcing(const scalar nu, const scalar deltaT,
 {
     const auto number = [=](const scalar step) { return nu * step / sqr(h); };
     const auto lag = [=](const scalar step)
-    { return step * max(scalar(1), 15 * number(step)); };
+    { return step * max(scalar(1), 1.5 * number(step)); };
     const auto largest = [=](const scalar error)
     {
         const scalar late = duration > 0 ? error * duration : GREAT;
         const scalar steady =
             min(min(scalar(10), error / 8e-4) / number(1),
-                min(late, std::sqrt(late / (15 * number(1)))));
+                min(late, std::sqrt(late / (1.5 * number(1)))));
         if (rate == 0) return steady;
 
         // 8e-4 number + 0.15 rate lag = error
-        const scalar a = 2.25 * rate * number(1), b = 4e-4 * number(1);
+        const scalar a = 0.225 * rate * number(1), b = 4e-4 * number(1);
         return min(steady, min(error / (2 * b + 0.15 * rate),
                                error / (b + std::sqrt(sqr(b) + a * error))));
     };

@@ -150,11 +150,17 @@ Foam::velocityPrediction Foam::staggeredFlow::prediction()
     return p;
 }
 
+Foam::scalar Foam::staggeredFlow::implicitDiffusivity() const
+{
+    return diffusion_.isExplicit()
+               ? 0
+               : 0.5 * nu_.max() * scheme_.deltaTOfStage();
+}
+
 void Foam::staggeredFlow::diffuse()
 {
     const wallVelocities change(walls_.advance(scheme_.passed()));
-    const scalar b =
-        diffusion_.isExplicit() ? 0 : 0.5 * nu_.max() * scheme_.deltaTOfStage();
+    const scalar b = implicitDiffusivity();
     if (!diffusion_.isExplicit())
     {
         const auto timing(effects_.time("diffusion"));
@@ -188,46 +194,54 @@ void Foam::staggeredFlow::project()
                  r2 = 1 / (dt * h.z());
     const label s1 = block_.stride(1), s2 = block_.stride(2);
 
+    // A gradient that enters before diffusion leaves with it: the pressure changes by the
+    // correction - b L correction (Brown, Cortez, Minion 2001,
+    // doi:10.1006/jcph.2001.6715), where - L correction is the source
+    const scalar b = implicitDiffusivity();
+
     // On upper walls the velocity is zero since predict()
     block_.updateAbove({u_[0].data(), u_[1].data(), u_[2].data()});
     block_.rowsFromAbove(
         [&](const label q, const label)
         {
-            const double* a = u_[0].data() + q;
-            const double* b = u_[1].data() + q;
-            const double* c = u_[2].data() + q;
+            const double* u = u_[0].data() + q;
+            const double* v = u_[1].data() + q;
+            const double* w = u_[2].data() + q;
             double* source = correction_.data() + q;
+            double* p = pressure_.data() + q;
 #pragma GCC ivdep
             for (label i = 0; i < nx; ++i)
             {
-                source[i] = -(r0 * (a[i + 1] - a[i]) + r1 * (b[i + s1] - b[i]) +
-                              r2 * (c[i + s2] - c[i]));
+                source[i] = -(r0 * (u[i + 1] - u[i]) + r1 * (v[i + s1] - v[i]) +
+                              r2 * (w[i + s2] - w[i]));
+                p[i] += b * source[i];
             }
         });
 
     const FixedList<scalar, 3> inverseSqr(
         {1 / sqr(h.x()), 1 / sqr(h.y()), 1 / sqr(h.z())});
     poisson_.solve(correction_.data(), correction_.data(), 0, inverseSqr);
-    block_.updateBelow(correction_.data());
+    block_.updateBelow<2>({correction_.data(), pressure_.data()});
     // Equal beyond walls and inside: the velocity on a wall stays
     block_.extend(correction_.data());
+    block_.extend(pressure_.data());
 
     rates_.begin();
     const double d0 = dt / h.x(), d1 = dt / h.y(), d2 = dt / h.z();
     block_.rowsFromAbove(
         [&](const label q, const label)
         {
-            double* a = u_[0].data() + q;
-            double* b = u_[1].data() + q;
-            double* c = u_[2].data() + q;
+            double* u = u_[0].data() + q;
+            double* v = u_[1].data() + q;
+            double* w = u_[2].data() + q;
             double* p = pressure_.data() + q;
             const double* f = correction_.data() + q;
 #pragma GCC ivdep
             for (label i = 0; i < nx; ++i)
             {
-                a[i] -= d0 * (f[i] - f[i - 1]);
-                b[i] -= d1 * (f[i] - f[i - s1]);
-                c[i] -= d2 * (f[i] - f[i - s2]);
+                u[i] -= d0 * (f[i] - f[i - 1]);
+                v[i] -= d1 * (f[i] - f[i - s1]);
+                w[i] -= d2 * (f[i] - f[i - s2]);
                 p[i] += f[i];
             }
             rates_.take(u_, q);

@@ -67,7 +67,7 @@ TEST(HaloBlock, fillsFaces)
         halo.update(all[d].data());
     }
     const scalarField before(parts[0]);
-    halo.updateBelow(parts[0].data());
+    halo.updateBelow<1>({parts[0].data()});
     const scalarField below(parts[0]);
     parts[0] = before;
     halo.updateAbove({parts[0].data(), parts[1].data(), parts[2].data()});

@@ -19,7 +19,7 @@ Foam::contactLaw::contactLaw(
 {
     checkEntries(dict, {"law", "range", "strength"});
     const scalar h = cmptMax(grid.h()), most = 0.5 * cmptMin(grid.length());
-    if (range_ < 0.5 * h || range_ > most)
+    if (range_ < 0.5 * h * (1 - 1e-6) || range_ > most * (1 + 1e-6))
     {
         refuse(dict, "range", Foam::name(range_),
                Foam::name(0.5 * h) + " (half a cell) to " + Foam::name(most) +
