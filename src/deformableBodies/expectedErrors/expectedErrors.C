@@ -60,19 +60,18 @@ Foam::expectedError Foam::ofForcing(const scalar nu, const scalar deltaT,
 {
     const auto number = [=](const scalar step) { return nu * step / sqr(h); };
     const auto lag = [=](const scalar step)
-    { return step * max(scalar(1), 1.5 * number(step)); };
+    { return step * (1 + 0.2 * number(step)); };
     const auto largest = [=](const scalar error)
     {
-        const scalar late = duration > 0 ? error * duration : GREAT;
-        const scalar steady =
-            min(min(scalar(10), error / 8e-4) / number(1),
-                min(late, std::sqrt(late / (1.5 * number(1)))));
-        if (rate == 0) return steady;
-
-        // 8e-4 number + 0.15 rate lag = error
-        const scalar a = 0.225 * rate * number(1), b = 4e-4 * number(1);
-        return min(steady, min(error / (2 * b + 0.15 * rate),
-                               error / (b + std::sqrt(sqr(b) + a * error))));
+        // a step + b step^2 = value
+        const auto root = [](const scalar a, const scalar b, const scalar value)
+        { return 2 * value / (a + std::sqrt(sqr(a) + 4 * b * value)); };
+        const scalar perStep = number(1);
+        const scalar late =
+            duration > 0 ? root(1, 0.2 * perStep, error * duration) : GREAT;
+        return min(min(10 / perStep, late),
+                   root(8e-4 * perStep + 0.5 * rate, 0.1 * rate * perStep,
+                        error));
     };
     const auto remark = [=](const scalar step)
     {
@@ -82,7 +81,7 @@ Foam::expectedError Foam::ofForcing(const scalar nu, const scalar deltaT,
     const auto error = [=](const scalar step) -> scalar
     {
         if (number(step) > 10 * (1 + 1e-9)) return -1;
-        return 8e-4 * number(step) + 0.15 * rate * lag(step);
+        return 8e-4 * number(step) + 0.5 * rate * lag(step);
     };
     const bool fixed = deltaT > 0 && deltaT < GREAT;
     return {"step",

@@ -61,16 +61,16 @@ TEST(ExpectedErrors, forcesLagByTheDiffusionNumber)
     EXPECT_NEAR(e.deltaT(1), 5, 1e-12);
     EXPECT_NEAR(e.errorOf(2.5), 4e-3, 1e-15);
     EXPECT_LT(ofForcing(2, 6, 1, 0, 0).error, 0);
-    // The lag 1.5 nu dt^2/h^2 is that part of the duration
+    // The lag is that part of the duration
     const scalar step = ofForcing(2, 0.5, 1, 30, 0).deltaT(4e-3);
-    EXPECT_NEAR(1.5 * 2 * sqr(step), 4e-3 * 30, 1e-12);
+    EXPECT_NEAR(step * (1 + 0.2 * 2 * step), 4e-3 * 30, 1e-12);
 }
 
-// The lag is 1.5 nu dt^2/h^2, or dt where that is more
+// The lag is dt (1 + 0.2 nu dt/h^2)
 TEST(ExpectedErrors, forcesOfBodiesThatMeetLag)
 {
     const expectedError e(ofForcing(2, 0.5, 1, 0, 3));
-    EXPECT_NEAR(e.error, 8e-4 + 0.15 * 3 * 0.75, 1e-12);
+    EXPECT_NEAR(e.error, 8e-4 + 0.5 * 3 * 0.6, 1e-12);
     EXPECT_NEAR(e.errorOf(e.deltaT(0.02)), 0.02, 1e-12);
     EXPECT_NEAR(e.errorOf(e.deltaT(1e-4)), 1e-4, 1e-12);
 }
