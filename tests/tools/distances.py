@@ -161,10 +161,18 @@ def depth(outer, inner):
     return "%.4f" % max(depths, default=np.nan)
 
 
-def beyond(surface, points):
-    """Largest signed distance of points from a closed surface, positive outside."""
+def gap(group):
+    """Least distance of a point of the first body from the surface of the second, of all
+    pictures."""
+    import vtp
+    pairs = [vtp.bodies(file) for _, file in vtp.series(group)]
+    return "%.4f" % min(-beyond(second, vtp.pointsOf(first), -1) for first, second in pairs)
+
+
+def beyond(surface, points, sign=1):
+    """Largest signed distance of points from a closed surface, positive outside; times sign."""
     from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
     import vtp
     distance = vtkImplicitPolyDataDistance()
     distance.SetInput(vtp.triangles(surface))
-    return max(map(distance.EvaluateFunction, points))
+    return max(sign * distance.EvaluateFunction(x) for x in points)

@@ -31,6 +31,11 @@ def compare(integrals, large, small, file, largeSide: float = 12, smallSide: flo
     return np.abs(y1 - y).max(), np.abs(D1 / D - 1).max()
 
 
+def gap(integrals):
+    """Smallest gap of boundary integrals."""
+    return min(re.findall(r"gap (\S+)", open(integrals).read()), key=float)
+
+
 def change(file, other):
     """Change of the last y from a file to another, over y."""
     y, z = first(file)[1][-1], first(other)[1][-1]

@@ -219,9 +219,10 @@ public:
     //- Smallest distance of points of two capsules
     double gap() const
     {
-        const int n = grid_.nPoints();
+        const sphericalHarmonics fine(grid_.degree(), 4 * grid_.degree());
+        const int n = fine.nPoints();
         numbers X(3 * n);
-        grid_.values(x_.data(), X.data());
+        fine.values(x_.data(), X.data());
         double least = GREAT;
         for (int i = 0; i < n && pair_; ++i)
         {
