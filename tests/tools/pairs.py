@@ -48,6 +48,8 @@ def last(file):
 
 
 def departure(reference, file, column):
-    """Largest difference of a column from that of a reference, at times of the file."""
-    a, b = Table(reference), Table(file)
-    return np.abs(np.interp(b["time"], a["time"], a[column]) - b[column]).max()
+    """Largest difference of a column of the first body from that of a reference, at times of
+    the file."""
+    (t, a), (s, b) = ((table["time"][mine], table[column][mine])
+                      for table, mine in ((table, table["body"] == 0) for table in (Table(reference), Table(file))))
+    return np.abs(np.interp(s, t, a) - b).max()

@@ -75,7 +75,7 @@ Foam::expectedError Foam::ofForcing(const scalar nu, const scalar deltaT,
     };
     const auto remark = [=](const scalar step)
     {
-        return string(rate > 0 ? "where bodies meet" : "once steady") +
+        return string(rate > 0 ? "where bodies meet or turn" : "once steady") +
                "; a force lags by " + Foam::name(lag(step)) + " s";
     };
     const auto error = [=](const scalar step) -> scalar

@@ -54,7 +54,8 @@ Foam::expectedErrors Foam::rigidReport::errors(const flowScales& flow) const
          }});
     e.parts.push_back(ofForcing(
         group_.scene_.mu / group_.scene_.rho, group_.scene_.deltaT, group_.h_,
-        group_.scene_.duration, group_.nBodies() > 1 ? flow.rate : 0));
+        group_.scene_.duration,
+        group_.nBodies() > 1 || !group_.isSphere() ? flow.rate : 0));
     return e;
 }
 
