@@ -12,10 +12,10 @@ using namespace Foam;
 
 //- Gaps up to which bodies are near, and from which on not; the same for all their points
 //  [cells]
-const scalar nearGap = 4, farGap = 6, closeGap = 1.5, apartGap = 2.5;
+const scalar nearGap = 4, farGap = 6, closeGap = 0.5, apartGap = 1.5;
 
 //- Spacing of the points of each level [cells]
-const scalar levelSpacing[] = {1.1, 2};
+const scalar levelSpacing[] = {1.25, 2};
 
 //- Largest degree of the harmonics that surfaces exchange
 const label largestDegree = 8;

@@ -89,11 +89,7 @@ void Foam::bodyInteractions::collectPoints()
     {
         const nearBodies::body& body = bodies[b];
         if (!body.near || isSurface(body.group)) continue;
-        bodyPoints p(groups_[body.group].points(body.local));
-        if (!resists())
-        {
-            p.positions += 0.5 * time_.deltaTValue() * p.velocities;
-        }
+        const bodyPoints p(groups_[body.group].points(body.local));
         points_.addLine(b, body.number, p.positions, p.velocities,
                         std::sqrt(p.crossSection / constant::mathematical::pi),
                         body.folded);
@@ -111,8 +107,7 @@ void Foam::bodyInteractions::collectSurface(const label index,
         if (group.forcing() == forcingType::none) return;
 
         // Bodies of direct forcing are at the start of the step. A force in its middle
-        // neither gives energy to an elastic contact nor takes it. Fibres with films,
-        // which take it, stay at the start
+        // neither gives energy to an elastic contact nor takes it
         const scalar half = 0.5 * time_.deltaTValue();
         for (label k = 0; k < surface.nMarkers(); ++k)
         {
@@ -178,8 +173,8 @@ Foam::vectorField Foam::bodyInteractions::touchingAreas() const
 
 void Foam::bodyInteractions::actOfWalls()
 {
-    // Fibres with films are at the start of the step (collectSurface)
-    const scalar toMiddle = resists() ? 0.5 * time_.deltaTValue() : 0;
+    // Fibres meet other bodies at the start of the step, and walls in its middle
+    const scalar half = 0.5 * time_.deltaTValue();
     for (label b = 0; b < near_.nBodies(); ++b)
     {
         const nearBodies::body& body = near_.bodies()[b];
@@ -190,7 +185,7 @@ void Foam::bodyInteractions::actOfWalls()
         {
             const interactingPoint& p = points_.points()[k];
             const vector x(points_.X()[k] +
-                           (p.radius > 0 ? toMiddle : 0) * points_.V()[k]);
+                           (p.radius > 0 ? half : 0) * points_.V()[k]);
             vector inward;
             const scalar distance = walls_.distance(x, inward);
             if (distance >= models_.range()) continue;
