@@ -95,9 +95,12 @@ class Case:
         table = Table(self.latest("bulkStress", "averages.dat"))
         if not len(table):
             return {}
-        # Averages are written with the fields, samples more often
+        # Averages are written with the fields, at the last sample before these
         written = self.times()
-        ended = not written or table["time"][-1] >= 0.999 * float(written[-1])
+        samples = self.stress()["time"]
+        if written:
+            samples = samples[samples < 1.000001 * float(written[-1])]
+        ended = not len(samples) or table["time"][-1] >= 0.999 * samples[-1]
         return table.last() if ended else {}
 
     def means(self, function, group):
