@@ -78,7 +78,8 @@ Foam::expectedErrors Foam::filamentReport::errors(const flowScales& flow) const
             {"drag", 0.03, "of a fibre of the kernel's thickness", nullptr});
         e.parts.push_back(ofForcing(group_.scene_.mu / group_.scene_.rho,
                                     group_.scene_.deltaT, group_.h_,
-                                    group_.scene_.duration, flow.rate));
+                                    group_.scene_.duration,
+                                    group_.nBodies() > 1 ? flow.rate : 0));
     }
     else if (group_.alone() && mag(group_.scene_.g) > 0)
     {
