@@ -90,6 +90,38 @@ TEST(FlowSolutions, StokesModeHasNoConvection)
                       1e-5);
 }
 
+TEST(FlowSolutions, pressureBalancesAForceInOneStep)
+{
+    // A force that is a gradient, in waves of four cells, at nu dt/h^2 = 10
+    const scalar h = 2 * pi / 16;
+    const auto potential = [=](const label i)
+    { return std::sin(4 * (i + 0.5) * h); };
+    for (const char* controls :
+         {"convection off; diffusion FFT;", "convection off; diffusion ADI;"})
+    {
+        test::box b(labelVector(16, 16, 4), vector(2 * pi, 2 * pi, 0.5 * pi),
+                    periodic, 10 * sqr(h));
+        b.start([](const vector&) { return vector(Zero); });
+        auto flow = b.flow(controls);
+        uniformGrid::New(b.mesh()).box().cells(
+            [&](const label i, const labelVector& c)
+            {
+                flow->force()[0][i] =
+                    (potential(c.x()) - potential(c.x() - 1)) / h;
+            });
+        step(*flow, 1);
+        flow->fill();
+        scalar worst = 0;
+        forAll(*b.p, celli)
+        {
+            const scalar x = b.mesh().C()[celli].x();
+            worst = max(worst, mag((*b.p)[celli] - std::sin(4 * x)));
+        }
+        test::expectBelow("pressure against the potential of a force", worst,
+                          1e-10);
+    }
+}
+
 TEST(FlowSolutions, layersOfTwoViscosities)
 {
     // Shear across two layers: lower half nu = 1, upper half nu = ratio. Steady:
