@@ -201,7 +201,7 @@ Foam::expectedError Foam::capsuleReport::stepError(const scalar rate) const
                            law.areaModulus() > 4 * law.shearModulus();
     const bool known = rate > 0 && dt > 0 && dt < GREAT;
     const scalar lag =
-        max(scalar(1), 0.06 * group_.viscosityRatio_) *
+        max(scalar(1), 0.25 * group_.viscosityRatio_) *
         (stiffArea ? ofStiffArea(law.areaModulus() / law.shearModulus()) : 1);
     const auto error = [rate, lag](const scalar dt)
     { return lag * ofStep(rate * dt); };
