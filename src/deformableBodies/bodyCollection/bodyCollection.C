@@ -67,7 +67,7 @@ void Foam::bodyCollection::read(const IOobject& io)
     state_->read(dict);
     boxChecks_.reset(new boxChecks(mesh, system_.groups, *system_.markers,
                                    system_.interactions.get(),
-                                   system_.neighbourFields.get()));
+                                   system_.between.get()));
     boxChecks_->checkStart(dict);
     statistics_.read(dict);
     output_.reset(
@@ -111,7 +111,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
     moveWithVelocity(u, force);
     if (!empty())
     {
-        // No more is known of diffusion in the solver
+        // How the solver treats diffusion is not known: by nu dt/h^2
         moveWithPrediction(velocityPrediction::ofLastStep(
             u,
             system_.grid.diffusionNumber(system_.nu->value(),
@@ -285,7 +285,7 @@ void Foam::bodyCollection::restore(const snapshot& s)
     }
     trouble_.clear();
 
-    // Before any time of the step
+    // Earlier than all times of the step
     const Time& time = system_.mesh.time();
     lastMoved_ = lastLooked_ = time.value() - time.deltaTValue();
 }

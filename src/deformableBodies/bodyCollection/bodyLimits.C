@@ -22,12 +22,12 @@ Foam::scalar Foam::bodyLimits::maxDeltaT(string* reason) const
 }
 
 Foam::List<Foam::expectedErrors>
-Foam::bodyLimits::errors(const flowScales& flow) const
+Foam::bodyLimits::errors() const
 {
     List<expectedErrors> all(system_.groups.size());
     forAll(system_.groups, g)
     {
-        all[g] = system_.groups[g].report().errors(flow);
+        all[g] = system_.groups[g].report().errors();
         if (usesPimple_ && system_.groups[g].twoWay())
         {
             all[g].parts.push_back(
@@ -48,8 +48,7 @@ Foam::scalar Foam::bodyLimits::wantedDeltaT() const
 
     wantedIsKnown_ = true;
     const bool continues = wantedDeltaT_ < GREAT;
-    string from;
-    List<expectedErrors> all(errors(scalesAtStart(system_.mesh, from)));
+    List<expectedErrors> all(errors());
     forAll(all, g)
     {
         if (continues &&
@@ -67,8 +66,8 @@ void Foam::bodyLimits::describe() const
 {
     system_.effects.printEffects();
     if (system_.empty()) return;
-    List<expectedErrors> all(errors(printSceneNumbers(
-        system_.mesh, system_.rho, *system_.nu, system_.groups)));
+    printSceneNumbers(system_);
+    List<expectedErrors> all(errors());
     bool fresh = false;
     forAll(all, g)
     {

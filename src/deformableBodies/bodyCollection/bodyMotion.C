@@ -206,7 +206,7 @@ void Foam::bodyMotion::move(const labelUList& groups,
     if (trouble_.unsteadyFails) trouble_.note(trouble_.unsteady);
     trouble_.share();
 
-    // Bodies go with the fluid, by what it did in this step and the last
+    // Markers move by at most 1.5 dt max |U|, with Adams-Bashforth
     if (interactions && markers.U.size())
     {
         interactions->travel(1.5 * step.dt * max(mag(markers.U)));

@@ -69,6 +69,11 @@ void Foam::bodyOutput::draw()
 {
     system_.ownership->migrate(system_.groups);
     if (system_.interactions) system_.interactions->update();
+    for (bodyGroup& group : system_.groups)
+    {
+        vectorField X(group.nMarkers());
+        group.markers(X.data(), 0);
+    }
     for (const forceField& f : forceFields_)
     {
         *f.field = force(f.groups);

@@ -26,6 +26,7 @@ void Foam::bodyReader::read()
     system_.markers.reset(
         new markerSet(system_.grid, deltaKernel(dict_), *system_.neighbours));
     system_.accuracy = bodyAccuracy(dict_);
+    system_.flow = scalesAtStart(system_.mesh);
     const bodyScene around(scene());
     readGroups(around);
     readNeighbourField(around);
@@ -113,8 +114,10 @@ Foam::bodyScene Foam::bodyReader::scene() const
             system_.solverBalances,
             system_.rho,
             system_.rho * system_.nu->value(),
+            system_.flow,
             readGravity(),
-            expectedDeltaT(),
+            largestDeltaT(),
+            likelyDeltaT(),
             system_.adjustsStep(),
             flowDeltaT(),
             time.endTime().value() - time.startTime().value(),
@@ -137,7 +140,7 @@ Foam::vector Foam::bodyReader::readGravity() const
     return g.value();
 }
 
-Foam::scalar Foam::bodyReader::expectedDeltaT() const
+Foam::scalar Foam::bodyReader::largestDeltaT() const
 {
     const Time& time = system_.mesh.time();
     if (!system_.adjustsStep()) return time.deltaTValue();
@@ -145,20 +148,27 @@ Foam::scalar Foam::bodyReader::expectedDeltaT() const
         "maxDeltaT", system_.solverBalances ? 0 : GREAT);
 }
 
+Foam::scalar Foam::bodyReader::likelyDeltaT() const
+{
+    const scalar most = largestDeltaT(), byFlow = CourantDeltaT(GREAT);
+    return most > 0 ? min(most, byFlow) : byFlow;
+}
+
+Foam::scalar Foam::bodyReader::CourantDeltaT(const scalar most) const
+{
+    if (!system_.adjustsStep() || system_.flow.speed <= 0) return GREAT;
+    const dictionary& control = system_.mesh.time().controlDict();
+    return min(control.getOrDefault<scalar>("maxCo", 1), most) *
+           cmptMin(system_.grid.h()) / system_.flow.speed;
+}
+
 Foam::scalar Foam::bodyReader::flowDeltaT() const
 {
-    if (expectedDeltaT() > 0) return 0;
+    if (largestDeltaT() > 0) return 0;
     if (system_.flowDeltaT >= 0) return system_.flowDeltaT;
-    string from;
-    const flowScales flow(scalesAtStart(system_.mesh, from));
-    scalar dt = 0;
-    if (flow.speed > 0)
-    {
-        const dictionary& control = system_.mesh.time().controlDict();
-        const scalar Co = min(control.getOrDefault<scalar>("maxCo", 1), 0.5);
-        dt = Co * cmptMin(system_.grid.h()) / flow.speed;
-    }
-    if (flow.rate > 0) dt = min(dt, 0.04 / flow.rate);
+    const scalar rate = system_.flow.rate;
+    scalar dt = system_.flow.speed > 0 ? CourantDeltaT(0.5) : 0;
+    if (rate > 0) dt = min(dt, 0.04 / rate);
     return system_.flowDeltaT = dt;
 }
 
@@ -285,14 +295,14 @@ void Foam::bodyReader::readInteractions(const bodyScene& scene)
     }
     system_.effects.declare("interactions", !interactions.empty(), reason);
     if (interactions.empty()) return;
-    bool nearField = bool(system_.neighbourFields);
+    bool nearField = bool(system_.between);
     forAll(system_.groups, g)
     {
         const bodyGroup& group = system_.groups[g];
         if (interactionScene::takesPart(group) && group.points(-1).isSurface())
         {
             nearField =
-                nearField && system_.neighbourFields->actBetween(g, g);
+                nearField && system_.between->actBetween(g, g);
         }
     }
     system_.interactions.reset(new bodyInteractions(

@@ -143,7 +143,7 @@ void Foam::bodyReader::readNeighbourField(const bodyScene& scene)
                  : "entry neighbourField off");
     if (between || nuclei)
     {
-        system_.neighbourFields.reset(
+        system_.between.reset(
             new neighbourField(system_.groups, scene, !between));
     }
     const bool films = between && squeezeFilms::arePossible(system_.groups, system_.grid);
@@ -154,6 +154,6 @@ void Foam::bodyReader::readNeighbourField(const bodyScene& scene)
     if (films)
     {
         system_.films.reset(new squeezeFilms(system_.groups,
-                                             *system_.neighbourFields, scene));
+                                             *system_.between, scene));
     }
 }

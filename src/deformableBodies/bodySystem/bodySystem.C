@@ -33,9 +33,9 @@ Foam::labelList Foam::bodySystem::groupsThat(const forcingType forcing) const
 void Foam::bodySystem::begin()
 {
     ownership->migrate(groups);
-    if (!neighbourFields) return;
+    if (!between) return;
     const auto timing(effects.time("neighbourField"));
-    neighbourFields->update();
+    between->update();
 }
 
 Foam::label Foam::bodySystem::nMarkers(const labelUList& which) const

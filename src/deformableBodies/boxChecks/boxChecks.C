@@ -11,11 +11,11 @@
 Foam::boxChecks::boxChecks(const fvMesh& mesh, PtrList<bodyGroup>& groups,
                            markerSet& markers,
                            const bodyInteractions* interactions,
-                           const neighbourField* nearField)
+                           const neighbourField* between)
     : time_(mesh.time()),
       grid_(uniformGrid::New(mesh)),
       groups_(groups),
-      close_(time_, groups, markers, interactions, nearField),
+      close_(time_, groups, markers, interactions, between),
       wallNamed_(groups.size(), false),
       nearWall_(groups.size(), false)
 {

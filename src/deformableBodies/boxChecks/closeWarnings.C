@@ -8,7 +8,7 @@
 Foam::closeWarnings::closeWarnings(const Time& time, PtrList<bodyGroup>& groups,
                                    markerSet& markers,
                                    const bodyInteractions* interactions,
-                                   const neighbourField* nearField)
+                                   const neighbourField* between)
     : time_(time),
       groups_(groups),
       markers_(markers),
@@ -26,7 +26,7 @@ Foam::closeWarnings::closeWarnings(const Time& time, PtrList<bodyGroup>& groups,
                 !groups_[g].twoWay() || !groups_[h].twoWay() ||
                 (g == h && groups_[g].nBodies() < 2) ||
                 (interactions && interactions->actBetween(g, h));
-            if (nearField && nearField->actBetween(g, h))
+            if (between && between->actBetween(g, h))
             {
                 limit_[pairOf(g, h)] = 0.75;
             }

@@ -194,7 +194,7 @@ Foam::expectedError Foam::capsuleReport::stepError(const scalar rate) const
                              : GREAT;
     const scalar dt =
         !group_.scene_.adjusted             ? group_.scene_.deltaT
-        : group_.scene_.deltaT > 0          ? min(group_.scene_.deltaT, limit)
+        : group_.scene_.deltaT > 0          ? min(group_.scene_.likelyDeltaT, limit)
         : group_.scene_.accuracy.wanted > 0 ? GREAT // stepFor() chooses
                                             : limit;
     const bool stiffArea = group_.motion_->hasPrevious() &&
@@ -218,20 +218,20 @@ Foam::expectedError Foam::capsuleReport::stepError(const scalar rate) const
             rate > 0 ? std::function<scalar(scalar)>(largest) : nullptr, error};
 }
 
-Foam::expectedErrors Foam::capsuleReport::errors(const flowScales& flow) const
+Foam::expectedErrors Foam::capsuleReport::errors() const
 {
     expectedErrors e{group_.name(), "D", {}};
     if (group_.twoWay())
     {
         e.parts.push_back(cellError());
-        const scalar Re = group_.scene_.rho * flow.rate * sqr(group_.radius_) /
+        const scalar Re = group_.scene_.rho * group_.scene_.flow.rate * sqr(group_.radius_) /
                           group_.scene_.mu;
         if (group_.nearField_ && ofInertia(Re, cellsOfRadius()) > 1e-3)
         {
             e.parts.push_back(inertiaError(Re));
         }
     }
-    const scalar Ca = group_.scene_.mu * flow.rate * group_.radius_ /
+    const scalar Ca = group_.scene_.mu * group_.scene_.flow.rate * group_.radius_ /
                       group_.shell_->model().shearModulus();
     if (Ca > largestCa * (1 + 1e-6))
     {
@@ -242,7 +242,7 @@ Foam::expectedErrors Foam::capsuleReport::errors(const flowScales& flow) const
     }
     e.parts.push_back(harmonicsError());
     e.parts.push_back(markerError());
-    e.parts.push_back(stepError(flow.rate));
+    e.parts.push_back(stepError(group_.scene_.flow.rate));
     return e;
 }
 

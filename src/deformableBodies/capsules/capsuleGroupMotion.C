@@ -126,9 +126,10 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
         motion_->beforeMove(c, dt, r);
         const scalar displacement = moveTo(c, next);
         if (twoWay()) motion_->setLoad(c);
-        if (s.unsteady && s.unsteady->empty())
+        if (s.unsteady)
         {
-            *s.unsteady = unsteady(i, displacement, velocity, dt);
+            const string sentence(unsteady(i, displacement, velocity, dt));
+            if (s.unsteady->empty()) *s.unsteady = sentence;
         }
         c.velocity = velocity;
         c.lastDeltaT = dt;
@@ -147,7 +148,7 @@ void Foam::capsuleGroup::startAt(capsule& c) const
     setNearSources(c);
 }
 
-// Without the motion of the whole, which hides what the shape does
+// By the harmonics of degree 1 and higher: without translation
 Foam::string Foam::capsuleGroup::unsteady(const label i,
                                           const scalar displacement,
                                           const numbers& velocity,

@@ -240,7 +240,7 @@ void Foam::capsuleGroup::warnOfHarmonics(const dictionary& dict,
                                          const label moved) const
 {
     if (degree <= moved) return;
-    const scalar h = cmptMin(scene_.grid.h());
+    const scalar h = cmptMax(scene_.grid.h());
     IOWarningInFunction(dict)
         << "entry harmonics: " << degree << " in group " << name()
         << ", but the mesh moves degrees up to " << moved

@@ -137,9 +137,7 @@ Foam::point Foam::filamentGroup::centreOf(const scalarList& state,
     const label N = properties_.segments;
     const label all = filament::stateSize(N) + 3 +
                       3 * (points_.size() + (twoWay() ? markersEach() : 0));
-
-    // States of before there was a power lack it
-    if (state.size() != all && state.size() != all - 1)
+    if (state.size() != all)
     {
         waitForMaster();
         FatalIOErrorInFunction(source)
@@ -172,7 +170,7 @@ void Foam::filamentGroup::restore(body& x, const label number,
     x.dt = *at++;
     at = filament::restore(at, x.U);
     at = filament::restore(at, x.forces);
-    if (at < state.cdata() + state.size()) x.power = *at;
+    x.power = *at;
 }
 
 void Foam::filamentGroup::judgeSize(const dictionary& dict) const
@@ -209,7 +207,7 @@ void Foam::filamentGroup::recordSlip(const vector* U)
         forAll(points_, k)
         {
             x.slip = max(x.slip, mag(points_[k](x.line.velocities()) - U[k]));
-            fastest_ = max(fastest_, mag(U[k]));
+            largestSpeed_ = max(largestSpeed_, mag(U[k]));
         }
         x.power = 0;
         forAll(x.forces, k)
@@ -218,14 +216,14 @@ void Foam::filamentGroup::recordSlip(const vector* U)
         }
         U += markersEach();
     }
-    if (twoWay() && steps_ > 10 && !slipped_) judgeSlip();
+    if (steps_ >= 10 && !slipped_) judgeSlip();
 }
 
 void Foam::filamentGroup::judgeSlip()
 {
-    reduce(fastest_, maxOp<scalar>());
+    reduce(largestSpeed_, maxOp<scalar>());
     label worst = -1;
-    scalar most = max(0.25 * fastest_, 0.05 * h_ / step_);
+    scalar most = max(0.25 * largestSpeed_, 0.05 * h_ / lastDeltaT_);
     forAll(mine(), i)
     {
         if (bodies_[i].slip <= most) continue;
@@ -239,7 +237,7 @@ void Foam::filamentGroup::judgeSlip()
         os.precision(4);
         os << nameOfBody(mine()[worst]).c_str() << " at " << centre(worst)
            << " slips by " << most << " m/s, where the fluid at its group has "
-           << "moved at up to " << fastest_ << " m/s, at time " << now_;
+           << "moved at up to " << largestSpeed_ << " m/s, at time " << lastTime_;
         where = os.str();
     }
     where = firstOf(where);

@@ -10,8 +10,7 @@ Foam::label Foam::filamentGroup::nMarkers() const
     return bodies_.size() * markersEach();
 }
 
-// Where the filament is expected at the end of the step: there the fluid is to
-// move with it
+// Positions extrapolated to the end of the step
 void Foam::filamentGroup::markers(vector* X, const scalar dt)
 {
     if (alone()) return;
@@ -40,8 +39,8 @@ void Foam::filamentGroup::lines(label* line) const
     }
 }
 
-// A point moves the fluid of this cross-section over its length, per step with
-// what diffusion leaves of it
+// Mass of the fluid that a marker moves, over the step and the part of an impulse that
+// diffusion leaves in place: see filamentGroup.H
 Foam::scalar Foam::filamentGroup::forcingGain(const bodyStep& s) const
 {
     const scalar squares = scene_.kernel.sumOfSquares();
@@ -76,7 +75,7 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
                           around.force);
         scene_.forces.addStiffness(name(), mine()[i], around.stiffness);
 
-        // Only what the step does not bear
+        // Stiffness above what an explicit step allows
         const scalar borne = gain * n / (properties_.length * s.dt);
         forAll(around.force, k)
         {
@@ -121,7 +120,7 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
     }
 }
 
-// The forces on the fluid that moved with it
+// Forces on the fluid: gain times slip, and the couple
 void Foam::filamentGroup::force(body& x,
                                 const filament::surroundings& around) const
 {
@@ -203,8 +202,8 @@ Foam::string Foam::filamentGroup::move(const vector* U,
 {
     const auto timing(scene_.effects.time("filament"));
     ++steps_;
-    now_ = s.time;
-    step_ = s.dt;
+    lastTime_ = s.time;
+    lastDeltaT_ = s.dt;
     const label all = mine().size(), some = min(all, filament::nLanes);
     List<filament::surroundings> around(some);
     // In one-way coupling the inertia of the fluid in its place is a force

@@ -71,7 +71,7 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
                                ", volume fraction " + Foam::name(fraction));
 }
 
-// In two-way coupling no shorter than a cell: the fluid tells nothing apart within one
+// In two-way coupling segments are at least a cell long, the resolution of the fluid
 void Foam::filamentGroup::readSegments(const dictionary& dict)
 {
     label& n = properties_.segments;
@@ -82,7 +82,7 @@ void Foam::filamentGroup::readSegments(const dictionary& dict)
                 { return label(std::ceil(std::sqrt(20 / wanted))); });
     if (twoWay() && !dict.found("segments"))
     {
-        // Eight cells are eight in all systems of units
+        // With a margin for the round-off of L/h
         n = max(label(3), min(n, label(properties_.length / h_ * (1 + 1e-9))));
     }
     if (n < 3 || n > 10000)

@@ -6,7 +6,7 @@
 #include "mathematicalConstants.H"
 #include <cmath>
 
-Foam::string Foam::filamentReport::describe(const flowScales& flow) const
+Foam::string Foam::filamentReport::describe() const
 {
     const scalar L = group_.properties_.length, B = group_.properties_.rigidity;
     OStringStream os;
@@ -24,20 +24,20 @@ Foam::string Foam::filamentReport::describe(const flowScales& flow) const
            : nL3 < L / group_.thickness_ ? " (semi-dilute)"
                                          : " (concentrated)")
        << ", density ratio " << group_.points(-1).densityRatio;
-    if (flow.rate > 0)
+    if (group_.scene_.flow.rate > 0)
     {
         os << ", Re "
-           << group_.scene_.rho * flow.rate * sqr(L) / group_.scene_.mu;
+           << group_.scene_.rho * group_.scene_.flow.rate * sqr(L) / group_.scene_.mu;
         if (B > 0)
             os << ", mu rate L^4/B "
-               << group_.scene_.mu * flow.rate * pow4(L) / B;
+               << group_.scene_.mu * group_.scene_.flow.rate * pow4(L) / B;
     }
-    else if (flow.speed > 0)
+    else if (group_.scene_.flow.speed > 0)
     {
-        os << ", Re " << group_.scene_.rho * flow.speed * L / group_.scene_.mu;
+        os << ", Re " << group_.scene_.rho * group_.scene_.flow.speed * L / group_.scene_.mu;
         if (B > 0)
             os << ", mu U L^3/B "
-               << group_.scene_.mu * flow.speed * pow3(L) / B;
+               << group_.scene_.mu * group_.scene_.flow.speed * pow3(L) / B;
     }
     return os.str();
 }
@@ -63,7 +63,7 @@ Foam::expectedError Foam::filamentReport::ofSwing(const scalar rate) const
 
 // Measured on cantilevers, chains and swings, and by the drag of straight ones
 // (doc/validation.md)
-Foam::expectedErrors Foam::filamentReport::errors(const flowScales& flow) const
+Foam::expectedErrors Foam::filamentReport::errors() const
 {
     expectedErrors e{group_.name(), "shape", {}};
     const label n = group_.properties_.segments;
@@ -77,9 +77,9 @@ Foam::expectedErrors Foam::filamentReport::errors(const flowScales& flow) const
         e.parts.push_back(
             {"drag", 0.03, "of a fibre of the kernel's thickness", nullptr});
         e.parts.push_back(ofForcing(group_.scene_.mu / group_.scene_.rho,
-                                    group_.scene_.deltaT, group_.h_,
+                                    group_.scene_.likelyDeltaT, group_.h_,
                                     group_.scene_.duration,
-                                    group_.nBodies() > 1 ? flow.rate : 0));
+                                    group_.nBodies() > 1 ? group_.scene_.flow.rate : 0));
     }
     else if (group_.alone() && mag(group_.scene_.g) > 0)
     {

@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// Bodies here, and what they feel
+// Copies of bodies on this rank, images in walls, velocities at the points of bodies
 
 #include "neighbourField.H"
 #include <algorithm>
@@ -68,8 +68,7 @@ std::vector<Foam::neighbourField::bodyHere> Foam::neighbourField::own() const
 
 void Foam::neighbourField::collect(const std::vector<bodyHere>& mine)
 {
-    // Numbers that each body is sent as: number, group, radius, points, then these and
-    // their forces
+    // Message of a body: number, group, radius, number of points; then positions and forces
     const label facts = 4, n = mine.size();
     largest_ = 0;
     label points = 0, away = 0;

@@ -10,8 +10,8 @@ namespace
 {
 using namespace Foam;
 
-//- Gaps up to which bodies are near, and from which on not; the same for all their points
-//  [cells]
+//- The near field fades out from nearGap to farGap, close points fade into far ones from
+//  closeGap to apartGap: gaps of two bodies [cells]
 const scalar nearGap = 4, farGap = 6, closeGap = 0.5, apartGap = 1.5;
 
 //- Spacing of the points of each level [cells]
@@ -73,8 +73,8 @@ Foam::scalar Foam::neighbourField::gap(const bodyHere& a, const bodyHere& b,
     const scalar apart = mag(r), ofSpheres = (apart - a.radius - b.radius) / h;
     if (ofSpheres > farGap || apart < SMALL * h) return ofSpheres;
 
-    // Planes across the line of the centres, then across that of the points that these
-    // touch, and once more
+    // Separating planes: normal along the centres, then along the touching points, three
+    // iterations
     scalar largest = -GREAT;
     vector e(r / apart);
     for (label i = 0; i < 3 && largest < farGap * h; ++i)
@@ -122,7 +122,7 @@ void Foam::neighbourField::findPairs(const label a, const label b)
         }
         if (!exists || magSqr(r) > sqr(reach)) continue;
 
-        // A body and its images on one side: those on the other are the same pairs
+        // A body and its own images: 13 of 26, as the others repeat these pairs
         if (a == b && image <= 13) continue;
         pair p{a, b, first.centre + r - second.centre, 0,
                isPartner(first, second) &&

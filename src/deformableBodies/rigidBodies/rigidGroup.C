@@ -109,7 +109,7 @@ Foam::scalarList Foam::rigidGroup::state(const label i) const
     save(x.turn.v());
     save(x.velocity);
     save(x.angularVelocity);
-    save(x.spin);
+    save(x.innerAngularMomentum);
     s.append(x.slip);
     s.append(x.dt);
     s.append(x.nUnsteady);
@@ -128,8 +128,7 @@ Foam::point Foam::rigidGroup::centreOf(const scalarList& state,
                                        const label number,
                                        const dictionary& source) const
 {
-    // States of before there were films lack its force
-    if (state.size() < 19 || (state.size() - 19) % 3 != 0)
+    if (state.size() < 22 || (state.size() - 22) % 6 != 0)
     {
         waitForMaster();
         FatalIOErrorInFunction(source)
@@ -155,11 +154,12 @@ void Foam::rigidGroup::restore(body& x, const label number,
     x.turn.v() = read();
     x.velocity = read();
     x.angularVelocity = read();
-    x.spin = read();
+    x.innerAngularMomentum = read();
     x.slip = *at++;
     x.dt = *at++;
     x.nUnsteady = label(*at++);
-    const label before = (state.size() - 19) / 6;
+    x.starts = x.dt == 0;
+    const label before = (state.size() - 22) / 6;
     if (before != markers_.size())
     {
         if (number == 0)
@@ -180,5 +180,5 @@ void Foam::rigidGroup::restore(body& x, const label number,
             v = read();
         }
     }
-    if ((state.size() - 19) % 6 == 3) x.film = read();
+    x.film = read();
 }

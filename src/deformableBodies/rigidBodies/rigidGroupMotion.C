@@ -19,7 +19,8 @@ void Foam::rigidGroup::markers(vector* X, const scalar dt)
 {
     for (body& x : bodies_)
     {
-        x.X = x.centre + dt * x.velocity;
+        x.expected = x.centre + dt * x.velocity;
+        x.X = x.expected;
         if (isSphere())
         {
             x.X += markers_;
@@ -56,7 +57,7 @@ Foam::vectorField Foam::rigidGroup::surfaceVelocity(const label i,
         {
             std::vector<vector> ofOthers(n, vector(Zero));
             addOfOthers(i, n, ofOthers.data());
-            smooth_->add(ofOthers, v.data());
+            projection_->add(ofOthers, v.data());
         }
     }
     return v;
@@ -83,7 +84,7 @@ Foam::rigidGroup::nearSources(const label i) const
     {
         nearSources_.X.push_back(x.centre + (R & r));
     }
-    nearSources_.F = smooth_->forces(x.forces.cdata());
+    nearSources_.F = projection_->forces(x.forces.cdata());
     return nearSources_;
 }
 
@@ -102,13 +103,13 @@ void Foam::rigidGroup::recordSlip(const vector* U)
     }
 }
 
-Foam::scalarField Foam::rigidGroup::gains(const scalar* density,
+Foam::scalarField Foam::rigidGroup::gains(const scalar* lineDensity,
                                           const bodyStep& s) const
 {
     scalarField c(overlap_.size());
     forAll(c, k)
     {
-        c[k] = 1 / (overlap_[k] * density[k] * s.impulseFraction * s.dt /
+        c[k] = 1 / (overlap_[k] * lineDensity[k] * s.impulseFraction * s.dt /
                         (scene_.rho * pow3(h_)) +
                     nearMobility_);
     }
@@ -117,10 +118,10 @@ Foam::scalarField Foam::rigidGroup::gains(const scalar* density,
 
 Foam::rigidGroup::surroundings
 Foam::rigidGroup::surround(const label i, const vector* U,
-                           const scalar* density, const bodyStep& s)
+                           const scalar* lineDensity, const bodyStep& s)
 {
     body& x = bodies_[i];
-    surroundings around{surfaceVelocity(i, U), gains(density, s), Zero, Zero};
+    surroundings around{surfaceVelocity(i, U), gains(lineDensity, s), Zero, Zero};
     if (scene_.forces.actOn(name(), mine()[i]))
     {
         vectorField F(surface_.size(), Zero);
@@ -131,8 +132,8 @@ Foam::rigidGroup::surround(const label i, const vector* U,
         around.torque = sum((x.turn.R() & surface_) ^ F);
     }
 
-    // The change is that of the mesh's velocity only: the near field is that of
-    // forces, and its change would be answered twice
+    // The change of the mesh's velocity only: the gains account for that of the near
+    // field
     const vectorField change(x.change(U, x.dt == 0));
     if (!s.predicted) around.U += 0.5 * change;
     return around;
@@ -147,7 +148,7 @@ void Foam::rigidGroup::step(body& x, const surroundings& around,
         densityRatio_, fluidMass, fluidMass * shape_.inertia(),
         sqr(shape_.radius()) * scene_.rho / (20.2 * scene_.mu),
         meanNearMobility_};
-    const vectorField r(x.X - (x.centre + s.dt * x.velocity));
+    const vectorField r(x.X - x.expected);
     const tensor R(isSphere() ? tensor::I : x.turn.R());
     const vectorField w(R & perVolume_);
     const rigidStep step(properties, s.dt, r, around.U, around.gains, w);
@@ -161,12 +162,12 @@ void Foam::rigidGroup::step(body& x, const surroundings& around,
                                velocity_.valid() ? &V : nullptr,
                                angularVelocity_.valid() ? &W : nullptr};
     };
-    if (x.dt == 0) step.start(x, load(s.time - s.dt));
+    if (x.starts) step.start(x, load(s.time - s.dt));
     visit(step, load(s.time));
 }
 
 std::vector<Foam::rigidStep::answer>
-Foam::rigidGroup::freeMotions(const vector* U, const scalar* density,
+Foam::rigidGroup::freeMotions(const vector* U, const scalar* lineDensity,
                           const bodyStep& s)
 {
     const auto timing(scene_.effects.time("rigid"));
@@ -175,17 +176,17 @@ Foam::rigidGroup::freeMotions(const vector* U, const scalar* density,
     forAll(mine(), i)
     {
         body& x = bodies_[i];
-        around_.push_back(surround(i, U, density, s));
+        around_.push_back(surround(i, U, lineDensity, s));
         step(x, around_.back(), s,
              [&](const rigidStep& step, const rigidStep::load& load)
              { all.push_back(step.solve(x, x.forces, load)); });
         U += markers_.size();
-        density += markers_.size();
+        lineDensity += markers_.size();
     }
     return all;
 }
 
-Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
+Foam::string Foam::rigidGroup::move(const vector* U, const scalar* lineDensity,
                                     const bodyStep& s)
 {
     const auto timing(scene_.effects.time("rigid"));
@@ -196,7 +197,8 @@ Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
         body& x = bodies_[i];
         const label n = markers_.size(), number = mine()[i];
         surroundings around(known ? std::move(around_[i])
-                                  : surround(i, U, density, s));
+                                  : surround(i, U, lineDensity, s));
+        if (!known) x.film = Zero;
         around.force += x.film;
         const vector before(x.velocity);
         const bool sameStep = mag(x.dt - s.dt) < 0.01 * s.dt;
@@ -204,18 +206,20 @@ Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
              [&](const rigidStep& step, const rigidStep::load& load)
              { step.advance(x, x.forces, load); });
         x.dt = s.dt;
-        if (s.unsteady && s.unsteady->empty())
+        x.starts = false;
+        if (s.unsteady)
         {
-            *s.unsteady = unsteady(
+            const string sentence(unsteady(
                 number,
                 s.dt * (mag(x.velocity) +
                         mag(x.angularVelocity) * cmptMax(shape_.semiAxes())),
                 s.dt * mag(x.velocity + before),
                 sameStep ? s.dt * mag(x.velocity - before) : 0, shape_.radius(),
-                x.nUnsteady);
+                x.nUnsteady));
+            if (s.unsteady->empty()) *s.unsteady = sentence;
         }
 
-        // Implicit solvers of the fluid bear no such force for long
+        // Beyond this slip the force grows without bound in a few steps
         const scalar cells = s.dt * slipOf(x, around.U) / h_;
         if (!(cells < 20))
         {
@@ -227,7 +231,7 @@ Foam::string Foam::rigidGroup::move(const vector* U, const scalar* density,
             trouble = os.str();
         }
         U += n;
-        density += n;
+        lineDensity += n;
     }
     around_.clear();
     return trouble;

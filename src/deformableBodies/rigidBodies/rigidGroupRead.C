@@ -164,8 +164,8 @@ void Foam::rigidGroup::makeMarkers(const scalar spacing)
         perVolume_ = inv(volume) & areas_;
     }
 
-    // Contacts act on points a third as far apart: sums over points as far apart as the
-    // markers hardly hold two surfaces apart that touch
+    // Points of contacts are a third as far apart as markers: at the spacing of the markers
+    // the force between touching surfaces is too small
     shape_.points(9 * n, 0, surface_, areas_);
 
     // The markers keep the order of the spiral, which is that of their forces in a state
@@ -206,7 +206,7 @@ void Foam::rigidGroup::makeMarkers(const scalar spacing)
 
     if (!nearField_) return;
     const label degree = max(label(1), label(1.6 * shape_.radius() / h_));
-    smooth_.reset(new coarsePoints(nearDirections(n), degree, n));
+    projection_.reset(new coarsePoints(nearDirections(n), degree, n));
     vectorField u(n);
     for (direction d = 0; d < 3; ++d)
     {

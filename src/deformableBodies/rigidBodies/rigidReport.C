@@ -4,7 +4,7 @@
 #include "mathematicalConstants.H"
 #include <cmath>
 
-Foam::string Foam::rigidReport::describe(const flowScales& flow) const
+Foam::string Foam::rigidReport::describe() const
 {
     const scalar a = group_.shape_.radius();
     OStringStream os;
@@ -21,19 +21,19 @@ Foam::string Foam::rigidReport::describe(const flowScales& flow) const
            << std::sqrt(mag(group_.densityRatio_ - 1) * g * pow3(2 * a)) *
                   group_.scene_.rho / group_.scene_.mu;
     }
-    if (flow.rate > 0)
+    if (group_.scene_.flow.rate > 0)
     {
         os << ", Re "
-           << group_.scene_.rho * flow.rate * sqr(a) / group_.scene_.mu;
+           << group_.scene_.rho * group_.scene_.flow.rate * sqr(a) / group_.scene_.mu;
     }
-    else if (flow.speed > 0)
+    else if (group_.scene_.flow.speed > 0)
     {
-        os << ", Re " << group_.scene_.rho * flow.speed * a / group_.scene_.mu;
+        os << ", Re " << group_.scene_.rho * group_.scene_.flow.speed * a / group_.scene_.mu;
     }
     return os.str();
 }
 
-Foam::expectedErrors Foam::rigidReport::errors(const flowScales& flow) const
+Foam::expectedErrors Foam::rigidReport::errors() const
 {
     expectedErrors e{group_.name(), "drag", {}};
     const scalar radius = group_.shape_.radius() / group_.h_;
@@ -53,9 +53,9 @@ Foam::expectedErrors Foam::rigidReport::errors(const flowScales& flow) const
                     " m and smaller";
          }});
     e.parts.push_back(ofForcing(
-        group_.scene_.mu / group_.scene_.rho, group_.scene_.deltaT, group_.h_,
+        group_.scene_.mu / group_.scene_.rho, group_.scene_.likelyDeltaT, group_.h_,
         group_.scene_.duration,
-        group_.nBodies() > 1 || !group_.isSphere() ? flow.rate : 0));
+        group_.nBodies() > 1 || !group_.isSphere() ? group_.scene_.flow.rate : 0));
     return e;
 }
 

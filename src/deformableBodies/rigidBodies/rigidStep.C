@@ -57,14 +57,14 @@ Foam::rigidStep::rigidStep(const properties& body, const scalar dt,
     }
     forAll(w, k)
     {
-        inside_ += (w[k] & U[k]) * r[k];
+        innerVelocity_ += (w[k] & U[k]) * r[k];
     }
 
-    // The fluid inside moves with the mesh's part of V: less what the near field adds,
-    // which changes with F
+    // The fluid inside moves with V less the velocity of the near field, nearMobility
+    // times F
     mass_ = (body.densityRatio - 1) * body.fluidMass / dt;
     innerMass_ = body.fluidMass / dt * body.nearMobility / r.size();
-    missing_ = w.empty() ? 0
+    addedGain_ = w.empty() ? 0
                          : max(scalar(0),
                                -5 * mass_ / (1 + innerMass_) - sumGain_);
 }
@@ -80,7 +80,7 @@ void Foam::rigidStep::start(motion& m, const load& given) const
     m.angularVelocity = inv(torqueOfSpin_) & swirl;
     if (given.velocity) m.velocity = *given.velocity;
     if (given.angularVelocity) m.angularVelocity = *given.angularVelocity;
-    m.spin = turned(body_.inertia, m.turn) & m.angularVelocity;
+    m.innerAngularMomentum = turned(body_.inertia, m.turn) & m.angularVelocity;
 }
 
 Foam::rigidStep::answer Foam::rigidStep::solve(const motion& m,
@@ -89,7 +89,7 @@ Foam::rigidStep::answer Foam::rigidStep::solve(const motion& m,
 {
     const tensor inertia(turned(body_.inertia, m.turn));
     const scalar ratio = body_.densityRatio;
-    const scalar follows = dt_ / (body_.relaxation + dt_);
+    const scalar relaxed = dt_ / (body_.relaxation + dt_);
 
     // Answer of the markers at rest
     vector force(Zero), torque(Zero);
@@ -100,18 +100,18 @@ Foam::rigidStep::answer Foam::rigidStep::solve(const motion& m,
         torque += r_[k] ^ f;
     }
 
-    const tensor J((ratio - follows) / dt_ * inertia + torqueOfSpin_);
+    const tensor J((ratio - relaxed) / dt_ * inertia + torqueOfSpin_);
     const tensor cross(0, -lever_.z(), lever_.y(), lever_.z(), 0, -lever_.x(),
                        -lever_.y(), lever_.x(), 0); // cross & V = lever x V
     const scalar resistance =
-        mass_ + (1 + innerMass_) * (sumGain_ + missing_);
+        mass_ + (1 + innerMass_) * (sumGain_ + addedGain_);
     const vector push(given.force + mass_ * m.velocity +
                       innerMass_ * sum(forces) +
-                      (1 + innerMass_) * (missing_ * inside_ - force));
+                      (1 + innerMass_) * (addedGain_ * innerVelocity_ - force));
     const vector twist(
         given.torque + ratio / dt_ * (inertia & m.angularVelocity) -
         ratio * (m.angularVelocity ^ (inertia & m.angularVelocity)) -
-        follows / dt_ * m.spin - torque);
+        relaxed / dt_ * m.innerAngularMomentum - torque);
     matrix A(matrix::Zero());
     column b;
     for (direction i = 0; i < 3; ++i)
@@ -144,11 +144,11 @@ void Foam::rigidStep::advance(motion& m, vectorField& forces,
     }
     forAll(w_, k)
     {
-        forces[k] += missing_ * (r_[k] & (V - inside_)) * w_[k];
+        forces[k] += addedGain_ * (r_[k] & (V - innerVelocity_)) * w_[k];
     }
     const tensor inertia(turned(body_.inertia, m.turn));
-    const scalar follows = dt_ / (body_.relaxation + dt_);
-    m.spin += follows * ((inertia & W) - m.spin);
+    const scalar relaxed = dt_ / (body_.relaxation + dt_);
+    m.innerAngularMomentum += relaxed * ((inertia & W) - m.innerAngularMomentum);
     m.turn = rotationBy(0.5 * dt_ * (m.angularVelocity + W)) * m.turn;
     m.turn /= mag(m.turn);
     m.centre += 0.5 * dt_ * (m.velocity + V);

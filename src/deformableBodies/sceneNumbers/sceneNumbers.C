@@ -54,9 +54,9 @@ void printBox(const uniformGrid& grid)
          << " m" << nl;
 }
 
-//- Lines of the fluid and of the flow; from: origin of the rate
+//- Lines of the fluid and of the flow
 void printFlow(const scalar rho, const fluidViscosity& nu,
-               const flowScales& flow, const string& from)
+               const flowScales& flow)
 {
     Info << beginLine("fluid").c_str() << "rho " << digits(rho).c_str()
          << " kg/m^3, mu " << digits(rho * nu.value()).c_str() << " Pa s, nu "
@@ -69,7 +69,7 @@ void printFlow(const scalar rho, const fluidViscosity& nu,
         Info << "at rest: no Re, no Ca";
     if (flow.rate > 0)
         Info << ", rate " << digits(flow.rate).c_str() << " 1/s ("
-             << from.c_str() << ')';
+             << flow.from.c_str() << ')';
     Info << nl;
 }
 
@@ -106,7 +106,7 @@ void largestRates(const volVectorField& U, scalar& atSides, scalar& inside)
 }
 } // namespace
 
-Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh, string& from)
+Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh)
 {
     flowScales s;
     if (!mesh.foundObject<volVectorField>("U")) return s;
@@ -132,7 +132,7 @@ Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh, string& from)
         if (rate > s.rate)
         {
             s.rate = rate;
-            from = string("sides ") + vector::componentNames[d] +
+            s.from = string("sides ") + vector::componentNames[d] +
                    " against each other";
         }
     }
@@ -146,12 +146,12 @@ Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh, string& from)
         scalar atSides = 0, inside = 0;
         largestRates(U, atSides, inside);
         s.rate = max(atSides, inside);
-        from = "largest in the field U";
+        s.from = "largest in the field U";
         if (s.rate <= 1e-9 * s.speed / cmptMax(grid.length())) s.rate = 0;
         if (inside < 0.1 * atSides)
         {
             s.rate = 6 * s.speed / width;
-            from = "parabola between the sides, as U jumps there";
+            s.from = "parabola between the sides, as U jumps there";
         }
     }
     else if (width < GREAT)
@@ -164,35 +164,20 @@ Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh, string& from)
         }
         s.speed = 1.5 * mean;
         s.rate = 6 * mean / width;
-        if (mean > 0) from = "parabola of Ubar of meanVelocityForce";
+        if (mean > 0) s.from = "parabola of Ubar of meanVelocityForce";
     }
     return s;
 }
 
-Foam::flowScales Foam::printSceneNumbers(const fvMesh& mesh, const scalar rho,
-                                         const fluidViscosity& nu,
-                                         const PtrList<bodyGroup>& groups)
+void Foam::printSceneNumbers(const bodySystem& system)
 {
     Info << nl << "Scene in numbers" << nl;
-    printBox(uniformGrid::New(mesh));
-
-    bool fluid = false;
-    forAll(groups, g)
+    printBox(system.grid);
+    if (!system.withoutFluid) printFlow(system.rho, *system.nu, system.flow);
+    for (const bodyGroup& group : system.groups)
     {
-        fluid = fluid || !groups[g].alone();
-    }
-    flowScales flow;
-    if (fluid)
-    {
-        string from;
-        flow = scalesAtStart(mesh, from);
-        printFlow(rho, nu, flow, from);
-    }
-    forAll(groups, g)
-    {
-        Info << beginLine(groups[g].name()).c_str()
-             << groups[g].report().describe(flow).c_str() << nl;
+        Info << beginLine(group.name()).c_str()
+             << group.report().describe().c_str() << nl;
     }
     Info << endl;
-    return flow;
 }

@@ -12,7 +12,7 @@ namespace
 {
 using namespace Foam;
 
-//- Gaps from which on nothing is lacking, and below which resistances do not grow [cells]
+//- Gap above which there is no film, and below which its resistance is constant [cells]
 const scalar largestGap = 2, smallestGap = 0.02;
 
 //- Lists of numbers of all ranks, one after the other (collective)

@@ -6,7 +6,15 @@ void Foam::blockViscosity::set(const volScalarField& nu, const scalar highest)
 {
     max_ = Foam::max(highest, gMax(nu.primitiveField()));
     min_ = gMin(nu.primitiveField());
-    if (max_ - min_ <= 1e-12 * max_) return;
+    if (max_ - min_ <= 1e-12 * max_)
+    {
+        cells_.clear();
+        for (auto& edges : edges_)
+        {
+            edges.clear();
+        }
+        return;
+    }
 
     // Positions outside the cells have a value, too
     cells_.resize(block_.size(), max_);

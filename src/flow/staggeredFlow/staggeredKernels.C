@@ -82,7 +82,7 @@ void Foam::staggeredFlow::makeIncrements()
     stopOnWalls();
 }
 
-// Leaves zero in the place of the increments, which is that of the force with AB2
+// Adds the increments and sets them to zero, as the force of AB2 shares the array
 void Foam::staggeredFlow::addIncrements(const label k)
 {
     const label nx = block_.box().size.x();

@@ -2,10 +2,29 @@
 
 #include "functionTimes.H"
 #include "dictionaryChecks.H"
+#include <cctype>
 
 namespace
 {
 using namespace Foam;
+
+//- True if a text has that name, not as a part of a longer one
+bool has(const std::string& text, const std::string& name)
+{
+    const auto ofName = [&](const size_t i)
+    {
+        return i < text.size() &&
+               (std::isalnum(text[i]) ||
+                (text[i] == '.' && i + 1 < text.size() &&
+                 std::isalnum(text[i + 1])));
+    };
+    for (size_t i = text.find(name); i != std::string::npos;
+         i = text.find(name, i + 1))
+    {
+        if (!ofName(i - 1) && !ofName(i + name.size())) return true;
+    }
+    return false;
+}
 
 //- True if the condition holds for an enabled functionObject of controlDict that names
 //  the field
@@ -17,7 +36,7 @@ bool any(const word& field, const Time& time, const Condition& holds)
     for (const entry& e : *functions)
     {
         if (e.isDict() && e.dict().getOrDefault<bool>("enabled", true) &&
-            valueOf(e).find(field) != string::npos && holds(e.dict()))
+            has(valueOf(e), field) && holds(e.dict()))
         {
             return true;
         }

@@ -157,18 +157,17 @@ bool Foam::functionObjects::phaseProfiles::execute()
                                 ? scalarField(n, Zero)
                                 : bodies_.statistics().forces(f_, g_));
     const scalar layer = grid_.volume() / n;
-    const shearSides sides(shearSides::of(mesh_));
     const bool walls = !grid_.periodic(g_);
-    const vector lower(sides.gradient == g_ ? sides.lower : vector::zero),
-        upper(sides.gradient == g_ ? sides.upper : vector::zero);
+    const sideVelocities sides(mesh_.lookupObject<volVectorField>("U"), grid_,
+                               g_);
     scalar bodies = 0;
     for (label j = 0; j <= n; ++j)
     {
         const scalar below = j > 0   ? means.u[j - 1][f_]
-                             : walls ? lower[f_]
+                             : walls ? sides.lower[f_]
                                      : means.u[n - 1][f_];
         const scalar above = j < n   ? means.u[j][f_]
-                             : walls ? upper[f_]
+                             : walls ? sides.upper[f_]
                                      : means.u[0][f_];
         const bool side = walls && (j == 0 || j == n);
         viscous_[j] += dt * mu * (above - below) / (side ? 0.5 * h : h);

@@ -27,8 +27,7 @@ scalar weightAndLoads(const bodyPoints& p, const word& group,
 } // namespace
 
 Foam::contactLoad Foam::contactLoad::of(const PtrList<bodyGroup>& groups,
-                                        const label g, const flowScales& flow,
-                                        const bodyScene& scene,
+                                        const label g, const bodyScene& scene,
                                         const scalar startTime)
 {
     const bodyGroup& group = groups[g];
@@ -61,6 +60,7 @@ Foam::contactLoad Foam::contactLoad::of(const PtrList<bodyGroup>& groups,
     }
 
     load.own = weightAndLoads(p, group.name(), scene, startTime);
+    const flowScales& flow = scene.flow;
     const scalar most = flow.speed > 0 ? flow.speed : GREAT;
     const scalar byFlow = flow.rate > 0    ? min(flow.rate * size, most)
                           : flow.speed > 0 ? flow.speed

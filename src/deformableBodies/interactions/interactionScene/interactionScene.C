@@ -4,7 +4,6 @@
 #include "bodyGroup.H"
 #include "dictionaryChecks.H"
 #include "mathematicalConstants.H"
-#include "sceneNumbers.H"
 #include "Time.H"
 
 bool Foam::interactionScene::takesPart(const bodyGroup& group)
@@ -17,8 +16,6 @@ Foam::interactionScene::of(const fvMesh& mesh, const PtrList<bodyGroup>& groups,
                            const bodyScene& scene, const bool nearField)
 {
     const dictionary& control = mesh.time().controlDict();
-    string from;
-    const flowScales flow(scalesAtStart(mesh, from));
     interactionScene all{scene.grid,
                          scene.mu,
                          control.found("deltaT")
@@ -33,7 +30,7 @@ Foam::interactionScene::of(const fvMesh& mesh, const PtrList<bodyGroup>& groups,
     forAll(groups, g)
     {
         if (!takesPart(groups[g])) continue;
-        all.loads.append(contactLoad::of(groups, g, flow, scene,
+        all.loads.append(contactLoad::of(groups, g, scene,
                                          mesh.time().startTime().value()));
         all.add(groups[g].points(-1));
         if (all.loads.last().isSurface && groups[g].host() < 0)
