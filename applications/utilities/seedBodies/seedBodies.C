@@ -33,6 +33,13 @@ int main(int argc, char* argv[])
     #include "createTime.H"
     #include "createMesh.H"
 
+    // The scales of the flow are those of the solver
+    const IOobject ofU("U", runTime.timeName(), mesh, IOobject::MUST_READ);
+    autoPtr<volVectorField> U;
+    if (IOobject(ofU).typeHeaderOk<volVectorField>(true))
+    {
+        U.reset(new volVectorField(ofU, mesh));
+    }
     const bodyCollection bodies(mesh, true);
     label nFiles = 0;
     for (const bodyGroup& group : bodies.system().groups)

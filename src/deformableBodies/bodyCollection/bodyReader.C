@@ -36,6 +36,20 @@ void Foam::bodyReader::read()
     given_.append(
         entriesOf(dict_, {"FoamFile", "variables", "bodies", "restart",
                           "removed", "sampleInterval", "bulkStress", "wrap"}));
+    const auto keep = [&](const string& name, const auto& value)
+    {
+        OStringStream os;
+        os.precision(12);
+        os << value;
+        given_.last().append({name, os.str()});
+    };
+    keep("rho of the fluid", system_.rho);
+    if (!system_.nu->isMean()) keep("nu of the fluid", system_.nu->value());
+    if (mag(around.g) > 0) keep("constant/g", around.g);
+    for (const entry& e : dict_.subOrEmptyDict("interactions"))
+    {
+        keep("interactions." + e.keyword(), "active");
+    }
     readLoads();
     readInteractions(around);
     system_.effects.declare("boxChecks", true,
@@ -55,7 +69,9 @@ void Foam::bodyReader::checkMesh() const
                 << "deformableBodies needs three dimensions, but direction "
                 << vector::componentNames[d] << " has patches of type empty"
                 << nl << "    allowed: cyclic patches in place of them, and "
-                << "several cells" << exit(FatalIOError);
+                << "several cells. The dry run of stock solvers replaces the "
+                << "mesh: use deformableBodyFoam -dry-run"
+                << exit(FatalIOError);
         }
     }
     if (system_.mesh.dynamic())

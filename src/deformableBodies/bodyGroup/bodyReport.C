@@ -26,7 +26,7 @@ Foam::faceList Foam::ringFaces(const label nRings, const label nAround)
 
 Foam::string Foam::bodyReport::smallerSteps(const bodyScene& scene)
 {
-    if (!scene.adjusted) return "deltaT to less";
-    return string("maxDeltaT of system/controlDict to less") +
+    if (!scene.adjusted) return "deltaT to a smaller step";
+    return string("maxDeltaT of system/controlDict to a smaller step") +
            (scene.forceAtFaces ? ", or accuracy to a smaller number" : "");
 }

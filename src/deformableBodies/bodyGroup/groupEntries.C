@@ -15,7 +15,7 @@ Foam::FixedList<Foam::direction, 2> Foam::groupEntries::shearPlane() const
         dict_.getOrDefault<wordList>("shearPlane", {"x", "y"}));
     if (plane.size() != 2 || plane[0] == plane[1])
     {
-        refuse(dict_, "shearPlane", Foam::name(plane.size()) + " words",
+        refuse(dict_, "shearPlane", valueOf(*dict_.findEntry("shearPlane")),
                "two different ones of x y z");
     }
     FixedList<direction, 2> directions;

@@ -172,7 +172,7 @@ void Foam::capsuleGroup::readGravity(const dictionary& dict) const
     {
         refuse(dict, "gravity", heavy ? "on" : "off",
                heavy ? "off, or a densityRatio with it"
-                     : "on with a densityRatio");
+                     : "on, as densityRatio is given: it acts by the weight");
     }
     if (heavy && !twoWay())
     {

@@ -96,7 +96,7 @@ void Foam::filamentGroup::readEnds(const dictionary& dict)
     const wordList ends(dict.getOrDefault<wordList>("ends", {"free", "free"}));
     if (ends.size() != 2)
     {
-        refuse(dict, "ends", Foam::name(ends.size()) + " words",
+        refuse(dict, "ends", valueOf(*dict.findEntry("ends")),
                "two of free hinged clamped");
     }
     forAll(ends, e)

@@ -124,7 +124,7 @@ label numberOf(const dictionary& dict, const scalar volume,
         if (number < 1 || number > most)
         {
             refuse(dict, "number", Foam::name(number),
-                   "1 to " + Foam::name(most) +
+                   "1 to " + Foam::name(label(most)) +
                        ", which are as large as the box, or one to each cell");
         }
         return number;

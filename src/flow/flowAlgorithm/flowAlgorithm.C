@@ -55,6 +55,29 @@ Foam::string Foam::flowAlgorithm::obstacle(const volVectorField& U,
     return all;
 }
 
+void Foam::flowAlgorithm::requireSolvers(const dictionary& solution,
+                                         const dictionary& controls) const
+{
+    if (staggered()) return;
+    wordList needed({"pFinal"});
+    if (controls.getOrDefault<label>("nCorrectors", 1) > 1) needed.append("p");
+    if (controls.getOrDefault<bool>("momentumPredictor", true))
+        needed.append("UFinal");
+    const dictionary solvers(solution.subOrEmptyDict("solvers"));
+    wordList missing;
+    for (const word& field : needed)
+    {
+        if (!solvers.findEntry(field, keyType::REGEX)) missing.append(field);
+    }
+    if (missing.empty()) return;
+    waitForMaster();
+    FatalIOErrorInFunction(solution)
+        << "the flow algorithm is pimple, not staggered: " << reason_.c_str()
+        << nl << "    either change that" << nl
+        << "    or give the solvers of pimple in system/fvSolution, which lacks "
+        << oneOf(missing).c_str() << exit(FatalIOError);
+}
+
 void Foam::flowAlgorithm::checkViscosity(const dictionary& transport,
                                          const scalar least)
 {
@@ -116,7 +139,8 @@ void Foam::flowAlgorithm::requireBlocks(const fvMesh& mesh,
 }
 
 void Foam::flowAlgorithm::checkControls(const dictionary& controls,
-                                        const dictionary& schemes) const
+                                        const dictionary& schemes,
+                                        const bool bodies) const
 {
     // Entries of its own, and those of pimple
     wordList known({"flowAlgorithm", "timeScheme", "diffusion", "convection",
@@ -139,7 +163,17 @@ void Foam::flowAlgorithm::checkControls(const dictionary& controls,
             << oneOf(unknown).c_str() << nl << "    known are "
             << oneOf(known).c_str() << endl;
     }
-    if (!staggered()) return;
+    if (!staggered())
+    {
+        if (bodies && controls.getOrDefault<label>("nCorrectors", 1) < 2)
+        {
+            IOWarningInFunction(controls)
+                << "entry nCorrectors is 1: beside bodies the velocity may "
+                << "swing from step to step until the run stops" << nl
+                << "    Set nCorrectors 2 or more" << endl;
+        }
+        return;
+    }
 
     string unused;
     const auto add = [&](const string& what)

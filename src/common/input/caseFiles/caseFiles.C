@@ -224,8 +224,25 @@ std::unique_ptr<Foam::IOdictionary> Foam::stateOfTime(const objectRegistry& db,
 {
     const IOobject io(name, db.time().timeName(), "uniform", db,
                       IOobject::MUST_READ, IOobject::NO_WRITE, false);
-    return std::unique_ptr<IOdictionary>(
-        fileExists<IOdictionary>(io) ? new IOdictionary(io) : nullptr);
+    if (!fileExists<IOdictionary>(io)) return nullptr;
+    const bool throwing = FatalIOError.throwExceptions();
+    std::unique_ptr<IOdictionary> state;
+    try
+    {
+        state.reset(new IOdictionary(io));
+    }
+    catch (const IOerror& error)
+    {
+        FatalErrorInFunction
+            << "file " << io.objectPath().c_str()
+            << " is damaged: " << error.message().c_str() << nl
+            << "    The run may have been killed while it wrote. Delete the "
+            << "file, so that " << name
+            << " starts afresh, or the time, to start from an earlier one"
+            << exit(FatalError);
+    }
+    FatalIOError.throwExceptions(throwing);
+    return state;
 }
 
 Foam::fileName Foam::fileInOtherCase(const IOobject& io)

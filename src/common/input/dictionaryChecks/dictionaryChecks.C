@@ -91,7 +91,12 @@ Foam::scalar Foam::readNumber(const dictionary& dict, const word& name,
     }
     if (!isNumber) refuse(dict, name, valueOf(given), "a number");
     checkDimensions(dict, name, dims);
-    return dimensionedScalar(name, dims, dict).value();
+    const scalar value = dimensionedScalar(name, dims, dict).value();
+    if (!(mag(value) < 1e100))
+    {
+        refuse(dict, name, valueOf(given), "numbers smaller than 1e100");
+    }
+    return value;
 }
 
 Foam::scalar Foam::readPositive(const dictionary& dict, const word& name,

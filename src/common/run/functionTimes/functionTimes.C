@@ -68,6 +68,19 @@ bool isDue(const dictionary& function, const Time& time, const word& what)
 }
 } // namespace
 
+void Foam::checkFunctionEntries(const dictionary& dict, wordList allowed)
+{
+    for (const word name :
+         {"type", "libs", "functionObjectLibs", "enabled", "region", "log",
+          "errors", "timeStart", "timeEnd", "executeControl", "executeInterval",
+          "writeControl", "writeInterval", "writePrecision", "writeToFile",
+          "useUserTime", "controlMode"})
+    {
+        allowed.append(name);
+    }
+    checkEntries(dict, allowed);
+}
+
 bool Foam::isDue(const dictionary& function, const Time& time)
 {
     const wordList writers({"writeObjects", "writeRegisteredObject", "probes",

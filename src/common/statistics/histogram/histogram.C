@@ -19,7 +19,7 @@ void Foam::histogram::add(const scalar value, const scalar weight)
         width_ = std::exp2(std::floor(
             std::log2(max(mag(value), scalar(VSMALL)) / most_) - 10));
     }
-    while (!(mag(value) / width_ < 1e9))
+    while (!(mag(value) < 1e9 * width_))
         joinPairs();
     bins_[long(std::floor(value / width_))] += weight;
     sum_ += weight;

@@ -3,6 +3,7 @@
 #include "bulkStress.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
+#include "functionTimes.H"
 #include "lastStep.H"
 #include "mathematicalConstants.H"
 
@@ -32,6 +33,12 @@ Foam::bulkStress::New(const dictionary& dict, const bodySystem& system,
     const string why(obstacle(system, shearSides::of(system.mesh)));
     const bool given = dict.found("bulkStress"),
                isDict = dict.isDict("bulkStress");
+    if (given && !isDict &&
+        !Switch(dict.get<word>("bulkStress"), true).valid())
+    {
+        refuse(dict, "bulkStress", valueOf(*dict.findEntry("bulkStress")),
+               "on, off or a dictionary");
+    }
     const bool wanted =
         isDict || !given || Switch(dict.get<word>("bulkStress"));
     if (wanted && given && !why.empty())
@@ -87,9 +94,11 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
 
 void Foam::bulkStress::checkEntries(const dictionary& dict) const
 {
-    Foam::checkEntries(dict, {"interval", "startAverage", "type", "libs",
-                              "enabled", "region", "log", "errors",
-                              "writeControl", "writeInterval"});
+    const wordList own({"interval", "startAverage"});
+    if (system_.solverBalances)
+        Foam::checkEntries(dict, own);
+    else
+        checkFunctionEntries(dict, own);
     if (interval_ < 1)
     {
         refuse(dict, "interval", Foam::name(interval_), "1 and more");

@@ -5,6 +5,7 @@
 #include "bodyWriter.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
+#include "functionTimes.H"
 
 namespace Foam
 {
@@ -20,6 +21,8 @@ Foam::functionObjects::bodyStatistics::bodyStatistics(const word& name,
                                                       const dictionary& dict)
     : sampledBodies(name, time, dict, typeName)
 {
+    checkFunctionEntries(
+        dict, {"groups", "bins", "reach", "around", "alone", "plane"});
     requireBodies(dict);
     const groupStatistics::settings settings(readSettings(dict));
     wordList all;

@@ -4,6 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
+#include "functionTimes.H"
 #include "fluidViscosity.H"
 #include "layerVolumes.H"
 
@@ -34,6 +35,7 @@ Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
     : sampledBodies(name, time, dict, typeName),
       grid_(uniformGrid::New(mesh_))
 {
+    checkFunctionEntries(dict, {"across", "flow"});
     if (bodies_.empty())
     {
         const IOdictionary transport(

@@ -59,8 +59,8 @@ void Foam::bodyInteractions::judgeStart() const
         OStringStream os;
         os << nameOf(body.number).c_str() << " at "
            << groups_[body.group].centre(body.local)
-           << " starts so close to others that they press it with " << most
-           << " N; flow, weight and loads press with " << models_.load()
+           << " starts so close to bodies or walls that they press it with "
+           << most << " N; flow, weight and loads press with " << models_.load()
            << " N";
         where = os.str();
     }
@@ -69,8 +69,10 @@ void Foam::bodyInteractions::judgeStart() const
     WarningInFunction
         << where.c_str() << nl
         << "    Bodies are thrown apart in the first steps: start them further "
-           "apart (minimumGap of placement), up to "
-        << models_.range() << " m" << endl;
+           "apart, up to "
+        << models_.range()
+        << " m (positions, minimumGap of placement, radiusRatio of a nucleus)"
+        << endl;
 }
 
 void Foam::bodyInteractions::collectPoints()
