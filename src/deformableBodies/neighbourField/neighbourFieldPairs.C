@@ -15,7 +15,7 @@ using namespace Foam;
 const scalar nearGap = 4, farGap = 6, closeGap = 0.5, apartGap = 1.5;
 
 //- Spacing of the points of each level [cells]
-const scalar levelSpacing[] = {1.25, 2};
+const scalar levelSpacing[] = {1.1, 2};
 
 //- Largest degree of the harmonics that surfaces exchange
 const label largestDegree = 8;
