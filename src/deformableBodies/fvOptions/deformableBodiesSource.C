@@ -4,6 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "bodyCollection.H"
 #include "dictionaryChecks.H"
+#include "flowAlgorithm.H"
 #include "fvMatrices.H"
 
 namespace Foam
@@ -54,6 +55,15 @@ Foam::fv::deformableBodiesSource::deformableBodiesSource(const word& name,
             << "option " << name << " of type deformableBodies: there are no "
             << "bodies, as there is no file constant/deformableBodies"
             << exit(FatalIOError);
+    }
+    for (const word controls : {"PIMPLE", "PISO"})
+    {
+        if (!bodies_.system().solverBalances && bodies_.system().twoWay() &&
+            mesh.solutionDict().found(controls))
+        {
+            flowAlgorithm::judgeCorrectors(
+                mesh.solutionDict().subDict(controls));
+        }
     }
 }
 

@@ -55,6 +55,15 @@ Foam::string Foam::flowAlgorithm::obstacle(const volVectorField& U,
     return all;
 }
 
+void Foam::flowAlgorithm::judgeCorrectors(const dictionary& controls)
+{
+    if (controls.getOrDefault<label>("nCorrectors", 1) > 1) return;
+    IOWarningInFunction(controls)
+        << "entry nCorrectors is 1: beside bodies the velocity may swing from "
+        << "step to step until the run stops" << nl
+        << "    Set nCorrectors 2 or more" << endl;
+}
+
 void Foam::flowAlgorithm::requireSolvers(const dictionary& solution,
                                          const dictionary& controls) const
 {
@@ -165,13 +174,7 @@ void Foam::flowAlgorithm::checkControls(const dictionary& controls,
     }
     if (!staggered())
     {
-        if (bodies && controls.getOrDefault<label>("nCorrectors", 1) < 2)
-        {
-            IOWarningInFunction(controls)
-                << "entry nCorrectors is 1: beside bodies the velocity may "
-                << "swing from step to step until the run stops" << nl
-                << "    Set nCorrectors 2 or more" << endl;
-        }
+        if (bodies) judgeCorrectors(controls);
         return;
     }
 
