@@ -224,7 +224,11 @@ std::unique_ptr<Foam::IOdictionary> Foam::stateOfTime(const objectRegistry& db,
 {
     const IOobject io(name, db.time().timeName(), "uniform", db,
                       IOobject::MUST_READ, IOobject::NO_WRITE, false);
-    if (!fileExists<IOdictionary>(io)) return nullptr;
+    if (!IOobject(io).typeHeaderOk<IOdictionary>(true, true, false))
+    {
+        refuseUnreadable(io, IOdictionary::typeName);
+        return nullptr;
+    }
     const bool throwing = FatalIOError.throwExceptions();
     std::unique_ptr<IOdictionary> state;
     try
@@ -233,13 +237,16 @@ std::unique_ptr<Foam::IOdictionary> Foam::stateOfTime(const objectRegistry& db,
     }
     catch (const IOerror& error)
     {
-        FatalErrorInFunction
-            << "file " << io.objectPath().c_str()
-            << " is damaged: " << error.message().c_str() << nl
+        // Functions that fail otherwise are left out by OpenFOAM
+        const string reason(error.message());
+        FatalIOError.throwExceptions(throwing);
+        const dictionary file(io.objectPath());
+        FatalIOErrorInFunction(file)
+            << "the file is damaged: " << reason.c_str() << nl
             << "    The run may have been killed while it wrote. Delete the "
             << "file, so that " << name
             << " starts afresh, or the time, to start from an earlier one"
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
     FatalIOError.throwExceptions(throwing);
     return state;
