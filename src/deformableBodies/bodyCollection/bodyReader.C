@@ -5,7 +5,6 @@
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
 #include "sceneNumbers.H"
-#include "uniformDimensionedFields.H"
 
 Foam::bodyReader::bodyReader(const IOdictionary& dict, bodySystem& system)
     : dict_(dict),
@@ -120,72 +119,6 @@ void Foam::bodyReader::readFluid()
         system_.nu->restore(before.get<scalar>("nu"));
     }
     system_.flowDeltaT = before.getOrDefault<scalar>("flowDeltaT", -1);
-}
-
-Foam::bodyScene Foam::bodyReader::scene() const
-{
-    const Time& time = system_.mesh.time();
-    return {system_.grid,
-            system_.markers->kernel(),
-            system_.solverBalances,
-            system_.rho,
-            system_.rho * system_.nu->value(),
-            system_.flow,
-            readGravity(),
-            largestDeltaT(),
-            likelyDeltaT(),
-            system_.adjustsStep(),
-            flowDeltaT(),
-            time.endTime().value() - time.startTime().value(),
-            system_.accuracy,
-            readCoupling(dict_, bodyCoupling::twoWay),
-            removesOutside(dict_, false),
-            system_.forces,
-            system_.placed,
-            system_.effects};
-}
-
-Foam::vector Foam::bodyReader::readGravity() const
-{
-    const fvMesh& mesh = system_.mesh;
-    const IOobject io("g", mesh.time().constant(), mesh, IOobject::MUST_READ,
-                      IOobject::NO_WRITE, false);
-    if (!fileExists<uniformDimensionedVectorField>(io)) return Zero;
-    const uniformDimensionedVectorField g(io);
-    checkDimensions(g, dimAcceleration);
-    return g.value();
-}
-
-Foam::scalar Foam::bodyReader::largestDeltaT() const
-{
-    const Time& time = system_.mesh.time();
-    if (!system_.adjustsStep()) return time.deltaTValue();
-    return time.controlDict().getOrDefault<scalar>(
-        "maxDeltaT", system_.solverBalances ? 0 : GREAT);
-}
-
-Foam::scalar Foam::bodyReader::likelyDeltaT() const
-{
-    const scalar most = largestDeltaT(), byFlow = CourantDeltaT(GREAT);
-    return most > 0 ? min(most, byFlow) : byFlow;
-}
-
-Foam::scalar Foam::bodyReader::CourantDeltaT(const scalar most) const
-{
-    if (!system_.adjustsStep() || system_.flow.speed <= 0) return GREAT;
-    const dictionary& control = system_.mesh.time().controlDict();
-    return min(control.getOrDefault<scalar>("maxCo", 1), most) *
-           cmptMin(system_.grid.h()) / system_.flow.speed;
-}
-
-Foam::scalar Foam::bodyReader::flowDeltaT() const
-{
-    if (largestDeltaT() > 0) return 0;
-    if (system_.flowDeltaT >= 0) return system_.flowDeltaT;
-    const scalar rate = system_.flow.rate;
-    scalar dt = system_.flow.speed > 0 ? CourantDeltaT(0.5) : 0;
-    if (rate > 0) dt = min(dt, 0.04 / rate);
-    return system_.flowDeltaT = dt;
 }
 
 // Samples of many bodies at each step would cost a good part of it

@@ -4,8 +4,8 @@
 #include "addToRunTimeSelectionTable.H"
 #include "bodyCollection.H"
 #include "dictionaryChecks.H"
-#include "flowAlgorithm.H"
 #include "fvMatrices.H"
+#include "rangeCheck.H"
 
 namespace Foam
 {
@@ -61,8 +61,7 @@ Foam::fv::deformableBodiesSource::deformableBodiesSource(const word& name,
         if (!bodies_.system().solverBalances && bodies_.system().twoWay() &&
             mesh.solutionDict().found(controls))
         {
-            flowAlgorithm::judgeCorrectors(
-                mesh.solutionDict().subDict(controls));
+            judgeCorrectors(mesh.solutionDict().subDict(controls));
         }
     }
 }

@@ -3,6 +3,7 @@
 #include "flowAlgorithm.H"
 #include "dictionaryChecks.H"
 #include "flowSources.H"
+#include "rangeCheck.H"
 #include "wallConditions.H"
 
 Foam::flowAlgorithm::flowAlgorithm(const dictionary& controls,
@@ -53,15 +54,6 @@ Foam::string Foam::flowAlgorithm::obstacle(const volVectorField& U,
         if (!one.empty()) all += (all.empty() ? "" : "; ") + one;
     }
     return all;
-}
-
-void Foam::flowAlgorithm::judgeCorrectors(const dictionary& controls)
-{
-    if (controls.getOrDefault<label>("nCorrectors", 1) > 1) return;
-    IOWarningInFunction(controls)
-        << "entry nCorrectors is 1: beside bodies the velocity may swing from "
-        << "step to step until the run stops" << nl
-        << "    Set nCorrectors 2 or more" << endl;
 }
 
 void Foam::flowAlgorithm::requireSolvers(const dictionary& solution,

@@ -51,3 +51,11 @@ void Foam::judge(const dictionary& dict, const List<rangeCheck>& ratios)
         }
     }
 }
+
+void Foam::judgeCorrectors(const dictionary& controls)
+{
+    const scalar n = controls.getOrDefault<label>("nCorrectors", 1);
+    judge(controls, {{"nCorrectors", "nCorrectors", n, 0, GREAT, 2, GREAT,
+                      "beside bodies a velocity whose pressure is corrected "
+                      "once may swing from step to step until the run stops"}});
+}
