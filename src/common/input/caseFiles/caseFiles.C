@@ -238,15 +238,11 @@ std::unique_ptr<Foam::IOdictionary> Foam::stateOfTime(const objectRegistry& db,
     catch (const IOerror& error)
     {
         // Functions that fail otherwise are left out by OpenFOAM
-        const string reason(error.message());
         FatalIOError.throwExceptions(throwing);
-        const dictionary file(io.objectPath());
-        FatalIOErrorInFunction(file)
-            << "the file is damaged: " << reason.c_str() << nl
-            << "    The run may have been killed while it wrote. Delete the "
-            << "file, so that " << name
-            << " starts afresh, or the time, to start from an earlier one"
-            << exit(FatalIOError);
+        FatalIOErrorInFunction(dictionary(io.objectPath()))
+            << "the file is damaged: " << error.message().c_str() << nl
+            << "    Delete the file, so that " << name << " starts afresh, or "
+            << "start from an earlier time" << exit(FatalIOError);
     }
     FatalIOError.throwExceptions(throwing);
     return state;
