@@ -220,18 +220,19 @@ Foam::expectedError Foam::capsuleReport::stepError(const scalar rate) const
 
 Foam::expectedErrors Foam::capsuleReport::errors() const
 {
+    const flowScales& flow = group_.scene_.flow;
     expectedErrors e{group_.name(), "D", {}};
     if (group_.twoWay())
     {
         e.parts.push_back(cellError());
-        const scalar Re = group_.scene_.rho * group_.scene_.flow.rate * sqr(group_.radius_) /
+        const scalar Re = group_.scene_.rho * flow.rate * sqr(group_.radius_) /
                           group_.scene_.mu;
         if (group_.nearField_ && ofInertia(Re, cellsOfRadius()) > 1e-3)
         {
             e.parts.push_back(inertiaError(Re));
         }
     }
-    const scalar Ca = group_.scene_.mu * group_.scene_.flow.rate * group_.radius_ /
+    const scalar Ca = group_.scene_.mu * flow.rate * group_.radius_ /
                       group_.shell_->model().shearModulus();
     if (Ca > largestCa * (1 + 1e-6))
     {
@@ -242,7 +243,7 @@ Foam::expectedErrors Foam::capsuleReport::errors() const
     }
     e.parts.push_back(harmonicsError());
     e.parts.push_back(markerError());
-    e.parts.push_back(stepError(group_.scene_.flow.rate));
+    e.parts.push_back(stepError(flow.rate));
     return e;
 }
 

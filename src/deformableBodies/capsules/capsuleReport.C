@@ -5,6 +5,7 @@
 
 Foam::string Foam::capsuleReport::describe() const
 {
+    const flowScales& flow = group_.scene_.flow;
     const scalar Gs = group_.shell_->model().shearModulus();
     OStringStream os;
     os.precision(4);
@@ -13,18 +14,18 @@ Foam::string Foam::capsuleReport::describe() const
        << group_.harmonics().degree() << ", volume fraction "
        << group_.nBodies() * group_.referenceVolume_ /
               cmptProduct(group_.scene_.grid.length());
-    if (group_.scene_.flow.rate > 0)
+    if (flow.rate > 0)
     {
         os << ", Re "
-           << group_.scene_.rho * group_.scene_.flow.rate * sqr(group_.radius_) /
+           << group_.scene_.rho * flow.rate * sqr(group_.radius_) /
                   group_.scene_.mu
-           << ", Ca " << group_.scene_.mu * group_.scene_.flow.rate * group_.radius_ / Gs;
+           << ", Ca " << group_.scene_.mu * flow.rate * group_.radius_ / Gs;
     }
-    else if (group_.scene_.flow.speed > 0)
+    else if (flow.speed > 0)
     {
         os << ", Re "
-           << group_.scene_.rho * group_.scene_.flow.speed * group_.radius_ / group_.scene_.mu
-           << ", mu U/Gs " << group_.scene_.mu * group_.scene_.flow.speed / Gs;
+           << group_.scene_.rho * flow.speed * group_.radius_ / group_.scene_.mu
+           << ", mu U/Gs " << group_.scene_.mu * flow.speed / Gs;
     }
     const scalar modulus = group_.shell_->bendingModulus();
     if (modulus > 0)

@@ -8,6 +8,7 @@
 
 Foam::string Foam::filamentReport::describe() const
 {
+    const flowScales& flow = group_.scene_.flow;
     const scalar L = group_.properties_.length, B = group_.properties_.rigidity;
     OStringStream os;
     os.precision(4);
@@ -24,20 +25,20 @@ Foam::string Foam::filamentReport::describe() const
            : nL3 < L / group_.thickness_ ? " (semi-dilute)"
                                          : " (concentrated)")
        << ", density ratio " << group_.points(-1).densityRatio;
-    if (group_.scene_.flow.rate > 0)
+    if (flow.rate > 0)
     {
         os << ", Re "
-           << group_.scene_.rho * group_.scene_.flow.rate * sqr(L) / group_.scene_.mu;
+           << group_.scene_.rho * flow.rate * sqr(L) / group_.scene_.mu;
         if (B > 0)
             os << ", mu rate L^4/B "
-               << group_.scene_.mu * group_.scene_.flow.rate * pow4(L) / B;
+               << group_.scene_.mu * flow.rate * pow4(L) / B;
     }
-    else if (group_.scene_.flow.speed > 0)
+    else if (flow.speed > 0)
     {
-        os << ", Re " << group_.scene_.rho * group_.scene_.flow.speed * L / group_.scene_.mu;
+        os << ", Re " << group_.scene_.rho * flow.speed * L / group_.scene_.mu;
         if (B > 0)
             os << ", mu U L^3/B "
-               << group_.scene_.mu * group_.scene_.flow.speed * pow3(L) / B;
+               << group_.scene_.mu * flow.speed * pow3(L) / B;
     }
     return os.str();
 }
@@ -65,6 +66,7 @@ Foam::expectedError Foam::filamentReport::ofSwing(const scalar rate) const
 // (doc/validation.md)
 Foam::expectedErrors Foam::filamentReport::errors() const
 {
+    const flowScales& flow = group_.scene_.flow;
     expectedErrors e{group_.name(), "shape", {}};
     const label n = group_.properties_.segments;
     e.parts.push_back(
@@ -79,7 +81,7 @@ Foam::expectedErrors Foam::filamentReport::errors() const
         e.parts.push_back(ofForcing(group_.scene_.mu / group_.scene_.rho,
                                     group_.scene_.likelyDeltaT, group_.h_,
                                     group_.scene_.duration,
-                                    group_.nBodies() > 1 ? group_.scene_.flow.rate : 0));
+                                    group_.nBodies() > 1 ? flow.rate : 0));
     }
     else if (group_.alone() && mag(group_.scene_.g) > 0)
     {

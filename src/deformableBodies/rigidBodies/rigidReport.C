@@ -6,6 +6,7 @@
 
 Foam::string Foam::rigidReport::describe() const
 {
+    const flowScales& flow = group_.scene_.flow;
     const scalar a = group_.shape_.radius();
     OStringStream os;
     os.precision(4);
@@ -21,20 +22,21 @@ Foam::string Foam::rigidReport::describe() const
            << std::sqrt(mag(group_.densityRatio_ - 1) * g * pow3(2 * a)) *
                   group_.scene_.rho / group_.scene_.mu;
     }
-    if (group_.scene_.flow.rate > 0)
+    if (flow.rate > 0)
     {
         os << ", Re "
-           << group_.scene_.rho * group_.scene_.flow.rate * sqr(a) / group_.scene_.mu;
+           << group_.scene_.rho * flow.rate * sqr(a) / group_.scene_.mu;
     }
-    else if (group_.scene_.flow.speed > 0)
+    else if (flow.speed > 0)
     {
-        os << ", Re " << group_.scene_.rho * group_.scene_.flow.speed * a / group_.scene_.mu;
+        os << ", Re " << group_.scene_.rho * flow.speed * a / group_.scene_.mu;
     }
     return os.str();
 }
 
 Foam::expectedErrors Foam::rigidReport::errors() const
 {
+    const flowScales& flow = group_.scene_.flow;
     expectedErrors e{group_.name(), "drag", {}};
     const scalar radius = group_.shape_.radius() / group_.h_;
     e.parts.push_back(
@@ -55,7 +57,7 @@ Foam::expectedErrors Foam::rigidReport::errors() const
     e.parts.push_back(ofForcing(
         group_.scene_.mu / group_.scene_.rho, group_.scene_.likelyDeltaT, group_.h_,
         group_.scene_.duration,
-        group_.nBodies() > 1 || !group_.isSphere() ? group_.scene_.flow.rate : 0));
+        group_.nBodies() > 1 || !group_.isSphere() ? flow.rate : 0));
     return e;
 }
 
