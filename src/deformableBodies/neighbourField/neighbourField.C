@@ -1,10 +1,40 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// Copies of bodies on this rank, images in walls, velocities at the points of bodies
+// Sums over the points of pairs
 
 #include "neighbourField.H"
-#include <algorithm>
-#include <set>
+#include "mathematicalConstants.H"
+
+namespace
+{
+using namespace Foam;
+
+//- Gaps from and to which close points fade into far ones [cells]
+const scalar closeGap = 0.5, apartGap = 1.5;
+
+//- Spacing of the points of each level [cells]
+const scalar levelSpacing[] = {1.1, 2};
+
+//- Largest degree of the harmonics that surfaces exchange
+const label largestDegree = 8;
+
+//- 1 below a, 0 above b
+scalar fade(const scalar x, const scalar a, const scalar b)
+{
+    const scalar t = min(max((b - x) / (b - a), scalar(0)), scalar(1));
+    return t * t * (3 - 2 * t);
+}
+
+void addTo(std::vector<vector>& u, const std::vector<vector>& v,
+           const scalar weight)
+{
+    u.resize(v.size(), vector(Zero));
+    for (size_t k = 0; k < v.size(); ++k)
+    {
+        u[k] += weight * v[k];
+    }
+}
+} // namespace
 
 Foam::neighbourField::neighbourField(PtrList<bodyGroup>& groups,
                                      const bodyScene& scene,
@@ -15,9 +45,7 @@ Foam::neighbourField::neighbourField(PtrList<bodyGroup>& groups,
       kernel_(scene.kernel.type()),
       numbers_(groups),
       nucleiOnly_(nucleiOnly),
-      neighbours_(scene.grid),
-      copies_(neighbours_),
-      walls_(wallSides(scene.grid)),
+      copies_(groups, numbers_, scene.grid, farGap * scene.grid.h().x()),
       spacing_(groups.size(), Zero)
 {
     forAll(groups, g)
@@ -35,165 +63,139 @@ Foam::neighbourField::neighbourField(PtrList<bodyGroup>& groups,
     }
 }
 
-std::vector<Foam::neighbourField::bodyHere> Foam::neighbourField::own() const
+const Foam::nearField& Foam::neighbourField::sumFor(const scalar spacing,
+                                                    const scalar mu)
 {
-    std::vector<bodyHere> mine;
-    forAll(groups_, g)
-    {
-        const bodyGroup& group = groups_[g];
-        if (!group.nearSources()) continue;
-        forAll(group.mine(), i)
-        {
-            const nearSurface::sources& s = group.nearSources()->nearSources(i);
-            bodyHere b;
-            b.number = numbers_.number(g, group.mine()[i]);
-            b.group = g;
-            b.X = s.X;
-            b.F = s.F;
-            b.centre = b.X.empty() ? group.centre(i) : point(Zero);
-            for (const vector& x : b.X)
-            {
-                b.centre += x / scalar(b.X.size());
-            }
-            b.radius = 0;
-            for (const vector& x : b.X)
-            {
-                b.radius = max(b.radius, mag(x - b.centre));
-            }
-            mine.push_back(std::move(b));
-        }
-    }
-    return mine;
+    const scalar h = grid_.h().x(), d = max(0.5 * h, 0.48 * spacing);
+    std::unique_ptr<const nearField>& sum = sums_[{d, mu}];
+    if (!sum) sum.reset(new nearField(kernel_, h, mu, d, nearField::OTHER));
+    return *sum;
 }
 
-void Foam::neighbourField::collect(const std::vector<bodyHere>& mine)
+const Foam::coarsePoints*
+Foam::neighbourField::coarseOf(const bodyCopies::body& body, const level l)
 {
-    // Message of a body: number, group, radius, number of points; then positions and forces
-    const label facts = 4, n = mine.size();
-    largest_ = 0;
-    label points = 0, away = 0;
-    vectorField centres(n);
-    for (label k = 0; k < n; ++k)
+    const label n = body.X.size();
+    const std::array<label, 3> key{body.group, n, l};
+    const auto found = coarse_.find(key);
+    if (found != coarse_.end()) return found->second.get();
+
+    const scalar pi = constant::mathematical::pi;
+    const scalar cells = spacing_[body.group] / grid_.h().x() *
+                         std::sqrt(n / (4 * pi)); // radius
+    const label degree =
+        l == CLOSE ? largestDegree
+                   : min(largestDegree, label(std::ceil(1.25 * cells)));
+    const label some = max(1.6 * sqr(scalar(degree + 1)),
+                           4 * pi * sqr(cells / levelSpacing[l]));
+    std::unique_ptr<const coarsePoints>& points = coarse_[key];
+    if (some < 0.8 * n)
     {
-        centres[k] = mine[k].centre;
-        largest_ = max(largest_, mine[k].radius);
-        points = max(points, label(mine[k].X.size()));
-        away = max(away, neighbours_.away(grid_.cellAt(centres[k])));
+        points.reset(new coarsePoints(
+            groups_[body.group].nearSources()->nearDirections(n), degree,
+            some));
     }
-    reduce(largest_, maxOp<scalar>());
-    reduce(points, maxOp<label>());
-    reduce(away, maxOp<label>());
-    const label each = facts + 6 * points;
-    scalarField numbers(n * each, Zero);
-    for (label k = 0; k < n; ++k)
-    {
-        scalar* to = &numbers[k * each];
-        *to++ = mine[k].number;
-        *to++ = mine[k].group;
-        *to++ = mine[k].radius;
-        *to++ = mine[k].X.size();
-        for (const std::vector<vector>* v : {&mine[k].X, &mine[k].F})
-        {
-            for (const vector& x : *v)
-            {
-                to = std::copy(x.begin(), x.end(), to);
-            }
-        }
-    }
-    copies_.route(centres, grid_.layersWithin(reach()) + away);
-    const scalarField all(copies_.handOut(numbers.cdata(), each));
-    std::set<label> ours;
-    for (const bodyHere& b : mine)
-    {
-        ours.insert(b.number);
-    }
-    here_.clear();
-    forAll(copies_.here(), k)
-    {
-        const scalar* from = &all[k * each];
-        bodyHere b;
-        b.number = from[0];
-        b.group = from[1];
-        b.centre = copies_.here()[k];
-        b.radius = from[2];
-        b.X.resize(label(from[3]));
-        b.F.resize(b.X.size());
-        from += facts;
-        for (std::vector<vector>* v : {&b.X, &b.F})
-        {
-            for (vector& x : *v)
-            {
-                x = vector(from[0], from[1], from[2]);
-                from += 3;
-            }
-        }
-        b.mine = ours.count(b.number);
-        here_.push_back(std::move(b));
-    }
-    std::sort(here_.begin(), here_.end(),
-              [](const bodyHere& a, const bodyHere& b)
-              { return a.number < b.number; });
+    return points.get();
 }
 
-void Foam::neighbourField::mirror()
+void Foam::neighbourField::add(const pair& p, const level l,
+                               const scalar weight)
 {
-    const label n = here_.size();
-    for (direction d = 0; d < 3; ++d)
+    scalar spacing = levelSpacing[l] * grid_.h().x(), mu = mu_;
+    for (const label k : {p.a, p.b})
     {
-        for (label side = 0; side < 2; ++side)
-        {
-            if (!walls_[d][side]) continue;
-            const scalar at = grid_.origin()[d] + side * grid_.length()[d];
-            for (label k = 0; k < n; ++k)
-            {
-                if (mag(here_[k].centre[d] - at) > reach()) continue;
-                if (!image_)
-                {
-                    image_.reset(new wallImage(kernel_, grid_.h().x(), mu_));
-                }
-                bodyHere b(here_[k]);
-                b.mine = false;
-                b.wall = d;
-                b.wallAt = at;
-                b.centre[d] = 2 * at - b.centre[d];
-                for (vector& x : b.X)
-                {
-                    x[d] = 2 * at - x[d];
-                }
-                for (vector& F : b.F)
-                {
-                    F[d] *= -1;
-                }
-                here_.push_back(std::move(b));
-            }
-        }
+        const bodyCopies::body& x = copies_.bodies()[k];
+        const coarsePoints* coarse = coarseOf(x, l);
+        if (!coarse) spacing = max(spacing, spacing_[x.group]);
+        nearField::pointSet& points = levels_[k].points[l];
+        if (points.n) continue;
+        points = coarse ? nearField::pointSet(coarse->positions(x.X),
+                                              coarse->forces(x.F.data()))
+                        : nearField::pointSet(x.X, x.F);
     }
+    const bodyCopies::body &a = copies_.bodies()[p.a],
+                           &b = copies_.bodies()[p.b];
+    const nearField::pointSet &ofA = levels_[p.a].points[l],
+                              &ofB = levels_[p.b].points[l];
+    std::vector<vector> u, v;
+    const vector apart(ofB.origin + p.shift - ofA.origin);
+    if (b.wall >= 0)
+    {
+        if (!image_)
+        {
+            image_.reset(new wallImage(kernel_, grid_.h().x(), mu_));
+        }
+        image_->velocity(ofA, ofB, apart, b.wall, ofA.origin[b.wall] - b.wallAt,
+                         u);
+        addTo(levels_[p.a].u[l], u, weight);
+        return;
+    }
+    if (p.inside)
+    {
+        const label host =
+            groups_[a.group].host() == b.group ? b.group : a.group;
+        mu *= groups_[host].inside()->viscosityRatio();
+    }
+    sumFor(spacing, mu).exchange(ofA, ofB, apart, u, v);
+    addTo(levels_[p.a].u[l], u, weight);
+    addTo(levels_[p.b].u[l], v, weight);
 }
 
-void Foam::neighbourField::update()
+void Foam::neighbourField::add(const pair& p)
 {
-    const std::vector<bodyHere> mine(own());
-    collect(mine);
-    if (!nucleiOnly_) mirror();
-    findPairs();
-    for (const pair& p : pairs_)
+    const scalar weight = p.inside ? 1 : fade(p.gap, nearGap, farGap);
+    const scalar close = p.inside ? 1 : fade(p.gap, closeGap, apartGap);
+    if (close > 0) add(p, CLOSE, weight * close);
+    if (close < 1) add(p, FAR, weight * (1 - close));
+}
+
+std::vector<Foam::vector> Foam::neighbourField::velocities(const label k)
+{
+    const bodyCopies::body& body = copies_.bodies()[k];
+    std::vector<vector> u(body.X.size(), vector(Zero));
+    for (const level l : {CLOSE, FAR})
     {
-        add(p);
+        const std::vector<vector>& ofLevel = levels_[k].u[l];
+        if (ofLevel.empty()) continue;
+        const coarsePoints* coarse = coarseOf(body, l);
+        if (coarse)
+            coarse->add(ofLevel, u.data());
+        else
+            addTo(u, ofLevel, 1);
     }
+    return u;
+}
+
+Foam::vector Foam::neighbourField::withheldMean() const
+{
     vector force(Zero);
-    for (const bodyHere& b : mine)
+    for (const bodyCopies::body& b : copies_.bodies())
     {
+        if (!b.mine) continue;
         for (const vector& F : b.F)
         {
             force += F;
         }
     }
     reduce(force, sumOp<vector>());
-    const vector mean(withheld_ / grid_.volume() * force);
-    std::map<label, bodyHere*> byNumber;
-    for (bodyHere& b : here_)
+    return withheld_ / grid_.volume() * force;
+}
+
+void Foam::neighbourField::update()
+{
+    copies_.update(!nucleiOnly_);
+    levels_.assign(copies_.bodies().size(), levels());
+    findPairs();
+    for (const pair& p : pairs_)
     {
-        if (b.wall < 0) byNumber[b.number] = &b;
+        add(p);
+    }
+    const vector mean(withheldMean());
+    std::map<label, label> byNumber;
+    for (size_t k = 0; k < copies_.bodies().size(); ++k)
+    {
+        const bodyCopies::body& b = copies_.bodies()[k];
+        if (b.mine) byNumber[b.number] = k;
     }
     forAll(groups_, g)
     {
@@ -202,7 +204,7 @@ void Foam::neighbourField::update()
         std::vector<std::vector<vector>> u;
         for (const label i : groups_[g].mine())
         {
-            u.push_back(velocities(*byNumber[numbers_.number(g, i)]));
+            u.push_back(velocities(byNumber.at(numbers_.number(g, i))));
             for (vector& v : u.back())
             {
                 v -= mean;

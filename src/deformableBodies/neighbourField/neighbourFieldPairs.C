@@ -1,31 +1,13 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// Pairs of bodies, and the sums between them
+// Pairs of bodies and their gaps
 
-#include "mathematicalConstants.H"
 #include "neighbourField.H"
 #include "periodicBox.H"
 
 namespace
 {
 using namespace Foam;
-
-//- The near field fades out from nearGap to farGap, close points fade into far ones from
-//  closeGap to apartGap: gaps of two bodies [cells]
-const scalar nearGap = 4, farGap = 6, closeGap = 0.5, apartGap = 1.5;
-
-//- Spacing of the points of each level [cells]
-const scalar levelSpacing[] = {1.1, 2};
-
-//- Largest degree of the harmonics that surfaces exchange
-const label largestDegree = 8;
-
-//- 1 below a, 0 above b
-scalar fade(const scalar x, const scalar a, const scalar b)
-{
-    const scalar t = min(max((b - x) / (b - a), scalar(0)), scalar(1));
-    return t * t * (3 - 2 * t);
-}
 
 //- The point that is furthest along e, of every second one
 const vector& furthest(const std::vector<vector>& X, const vector& e)
@@ -41,31 +23,18 @@ const vector& furthest(const std::vector<vector>& X, const vector& e)
     }
     return X[best];
 }
-
-void addTo(std::vector<vector>& u, const std::vector<vector>& v,
-           const scalar weight)
-{
-    u.resize(v.size(), vector(Zero));
-    for (size_t k = 0; k < v.size(); ++k)
-    {
-        u[k] += weight * v[k];
-    }
-}
 } // namespace
 
-Foam::scalar Foam::neighbourField::reach() const
-{
-    return 2 * largest_ + farGap * grid_.h().x();
-}
-
-bool Foam::neighbourField::isPartner(const bodyHere& a, const bodyHere& b) const
+bool Foam::neighbourField::isPartner(const bodyCopies::body& a,
+                                     const bodyCopies::body& b) const
 {
     return b.wall < 0 && numbers_.body(a.number) == numbers_.body(b.number) &&
            (groups_[a.group].host() == b.group ||
             groups_[b.group].host() == a.group);
 }
 
-Foam::scalar Foam::neighbourField::gap(const bodyHere& a, const bodyHere& b,
+Foam::scalar Foam::neighbourField::gap(const bodyCopies::body& a,
+                                       const bodyCopies::body& b,
                                        const vector& shift) const
 {
     const scalar h = grid_.h().x();
@@ -90,21 +59,24 @@ Foam::scalar Foam::neighbourField::gap(const bodyHere& a, const bodyHere& b,
 void Foam::neighbourField::findPairs()
 {
     pairs_.clear();
-    const label n = here_.size();
-    for (label a = 0; a < n && here_[a].wall < 0; ++a)
+    const std::vector<bodyCopies::body>& bodies = copies_.bodies();
+    const label n = bodies.size();
+    for (label a = 0; a < n && bodies[a].wall < 0; ++a)
     {
         for (label b = 0; b < n; ++b)
         {
-            const bool mirrored = here_[b].wall >= 0;
+            const bool mirrored = bodies[b].wall >= 0;
             if (!mirrored && b < a) continue;
-            if (here_[a].mine || (!mirrored && here_[b].mine)) findPairs(a, b);
+            if (bodies[a].mine || (!mirrored && bodies[b].mine))
+                findPairs(a, b);
         }
     }
 }
 
 void Foam::neighbourField::findPairs(const label a, const label b)
 {
-    const bodyHere &first = here_[a], &second = here_[b];
+    const bodyCopies::body &first = copies_.bodies()[a],
+                           &second = copies_.bodies()[b];
     if (first.X.empty() || second.X.empty()) return;
     const vector L(grid_.length());
     const vector nearest(nearestImage(grid_, second.centre, first.centre));
@@ -139,7 +111,8 @@ Foam::neighbourField::spheresWithin(const scalar most) const
     std::vector<closeSpheres> all;
     for (const pair& p : pairs_)
     {
-        const bodyHere &a = here_[p.a], &b = here_[p.b];
+        const bodyCopies::body &a = copies_.bodies()[p.a],
+                               &b = copies_.bodies()[p.b];
         const bool own = b.wall >= 0 && a.number == b.number;
         if (!a.mine || (b.wall >= 0 && !own) ||
             !groups_[a.group].nearSources()->makesFilms() ||
@@ -154,96 +127,4 @@ Foam::neighbourField::spheresWithin(const scalar most) const
                        own ? 0 : b.radius});
     }
     return all;
-}
-
-const Foam::nearField& Foam::neighbourField::sumFor(const scalar spacing,
-                                                    const scalar mu)
-{
-    const scalar h = grid_.h().x(), d = max(0.5 * h, 0.48 * spacing);
-    std::unique_ptr<const nearField>& sum = sums_[{d, mu}];
-    if (!sum) sum.reset(new nearField(kernel_, h, mu, d, nearField::OTHER));
-    return *sum;
-}
-
-const Foam::coarsePoints* Foam::neighbourField::coarseOf(const bodyHere& body,
-                                                         const level l)
-{
-    const label n = body.X.size();
-    const std::array<label, 3> key{body.group, n, l};
-    const auto found = coarse_.find(key);
-    if (found != coarse_.end()) return found->second.get();
-
-    const scalar pi = constant::mathematical::pi;
-    const scalar cells = spacing_[body.group] / grid_.h().x() *
-                         std::sqrt(n / (4 * pi)); // radius
-    const label degree =
-        l == CLOSE ? largestDegree
-                   : min(largestDegree, label(std::ceil(1.25 * cells)));
-    const label some = max(1.6 * sqr(scalar(degree + 1)),
-                           4 * pi * sqr(cells / levelSpacing[l]));
-    std::unique_ptr<const coarsePoints>& points = coarse_[key];
-    if (some < 0.8 * n)
-    {
-        points.reset(new coarsePoints(
-            groups_[body.group].nearSources()->nearDirections(n), degree,
-            some));
-    }
-    return points.get();
-}
-
-void Foam::neighbourField::add(const pair& p, const level l,
-                               const scalar weight)
-{
-    scalar spacing = levelSpacing[l] * grid_.h().x(), mu = mu_;
-    for (const label k : {p.a, p.b})
-    {
-        bodyHere& x = here_[k];
-        const coarsePoints* coarse = coarseOf(x, l);
-        if (!coarse) spacing = max(spacing, spacing_[x.group]);
-        if (x.points[l].n) continue;
-        x.points[l] = coarse ? nearField::pointSet(coarse->positions(x.X),
-                                                   coarse->forces(x.F.data()))
-                             : nearField::pointSet(x.X, x.F);
-    }
-    bodyHere &a = here_[p.a], &b = here_[p.b];
-    std::vector<vector> u, v;
-    const vector apart(b.points[l].origin + p.shift - a.points[l].origin);
-    if (b.wall >= 0)
-    {
-        image_->velocity(a.points[l], b.points[l], apart, b.wall,
-                         a.points[l].origin[b.wall] - b.wallAt, u);
-        addTo(a.u[l], u, weight);
-        return;
-    }
-    if (p.inside)
-    {
-        const bodyHere& host = groups_[a.group].host() == b.group ? b : a;
-        mu *= groups_[host.group].inside()->viscosityRatio();
-    }
-    sumFor(spacing, mu).exchange(a.points[l], b.points[l], apart, u, v);
-    addTo(a.u[l], u, weight);
-    addTo(b.u[l], v, weight);
-}
-
-void Foam::neighbourField::add(const pair& p)
-{
-    const scalar weight = p.inside ? 1 : fade(p.gap, nearGap, farGap);
-    const scalar close = p.inside ? 1 : fade(p.gap, closeGap, apartGap);
-    if (close > 0) add(p, CLOSE, weight * close);
-    if (close < 1) add(p, FAR, weight * (1 - close));
-}
-
-std::vector<Foam::vector> Foam::neighbourField::velocities(const bodyHere& body)
-{
-    std::vector<vector> u(body.X.size(), vector(Zero));
-    for (const level l : {CLOSE, FAR})
-    {
-        if (body.u[l].empty()) continue;
-        const coarsePoints* coarse = coarseOf(body, l);
-        if (coarse)
-            coarse->add(body.u[l], u.data());
-        else
-            addTo(u, body.u[l], 1);
-    }
-    return u;
 }
