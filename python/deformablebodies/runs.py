@@ -334,6 +334,7 @@ def sweep(case, out, settings):
         raise Failed("%s lies in the case, which is not touched: run it elsewhere" % out)
     runs = Runs(argparse.Namespace(case=case, out=os.path.abspath(out), quantity=None, group=None, always=[],
                                    budget=None))
+    runs.places = {} # each run has its own
     for some in settings:
         changes = [(name, str(value)) for name, value in some.items()]
         folder, _ = runs.made(",".join("%s=%s" % c for c in changes) or "asItStands", changes, repeats=0)

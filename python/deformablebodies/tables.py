@@ -77,6 +77,14 @@ class Table:
         return pandas.DataFrame(self.rows, columns=self.names)
 
 
+def timeWeights(times):
+    """Weight of each row in a mean over time, the time since the rows before: of means where steps vary.
+    Rows of one time (several bodies) share it."""
+    once, of = np.unique(times, return_inverse=True)
+    since = np.diff(once, prepend=2 * once[0] - once[min(1, len(once) - 1)])
+    return (since / np.bincount(of))[of] if len(once) > 1 else np.ones(len(times))
+
+
 def records(file):
     """Rows of a .csv file as dictionaries of words by column; lines that begin with # are left out."""
     with open(file) as f:
@@ -86,5 +94,5 @@ def records(file):
 def profiles(file):
     """Table of profiles.dat of phaseProfiles, whose columns are named on a later line."""
     with open(file) as f:
-        names = next(line for line in f if line.startswith("# y")).split()[1:]
+        names = next(line for line in f if line.startswith("#") and " velocityX " in line).split()[1:]
     return Table(names=names, rows=np.loadtxt(file, ndmin=2))

@@ -96,9 +96,8 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p)
     for (const labelList* some : {&lines, &surfaces})
     {
         if (some->empty()) continue;
-        const scalar fraction =
-            impulseFractionOf(system_.groups[some->first()].forcing(),
-                              p.diffusionNumber);
+        const scalar fraction = impulseFractionOf(
+            system_.groups[some->first()].forcing(), p.diffusionNumber);
         if (!p.isOfLastStep) predict(p, fraction, change(), markers);
         move(*some, markers, first,
              {time.value(), time.deltaTValue(), !p.isOfLastStep, fraction,
@@ -124,8 +123,8 @@ void Foam::bodyMotion::predict(const velocityPrediction& p,
     {
         system_.markers->spread(change, perMass(p.force[i], change));
     }
-    system_.markers->spreadAndInterpolate(
-        change, perMass(p.force[0], change), p.after(fraction), markers.U);
+    system_.markers->spreadAndInterpolate(change, perMass(p.force[0], change),
+                                          p.after(fraction), markers.U);
 }
 
 Foam::bodyMotion::markerValues
@@ -206,11 +205,14 @@ void Foam::bodyMotion::move(const labelUList& groups,
     if (trouble_.unsteadyFails) trouble_.note(trouble_.unsteady);
     trouble_.share();
 
-    // Markers move by at most 1.5 dt max |U|, with Adams-Bashforth
-    if (interactions && markers.U.size())
+    // Markers in the flow move by at most 1.5 dt max |U|, with Adams-Bashforth
+    if (!interactions) return;
+    scalar fastest = markers.U.size() ? max(mag(markers.U)) : 0;
+    for (const label g : groups)
     {
-        interactions->travel(1.5 * step.dt * max(mag(markers.U)));
+        fastest = max(fastest, system_.groups[g].fastest());
     }
+    interactions->travel(1.5 * step.dt * fastest);
 }
 
 Foam::staggeredTarget Foam::bodyMotion::perMass(const staggeredTarget& force,

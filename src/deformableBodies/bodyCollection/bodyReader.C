@@ -26,7 +26,8 @@ void Foam::bodyReader::read()
         new markerSet(system_.grid, deltaKernel(dict_), *system_.neighbours));
     system_.accuracy = bodyAccuracy(dict_);
     system_.flow = scalesAtStart(system_.mesh);
-    const bodyScene around(scene());
+    const bodyScene around(scene(system_.flow));
+    if (system_.firstFlow.speed < 0) system_.firstFlow = system_.flow;
     readGroups(around);
     readNeighbourField(around);
     readSampleInterval();
@@ -50,7 +51,7 @@ void Foam::bodyReader::read()
         keep("interactions." + e.keyword(), "active");
     }
     readLoads();
-    readInteractions(around);
+    readInteractions(scene(system_.firstFlow));
     system_.effects.declare("boxChecks", true,
                             "bodies that leave their block or the box, or "
                             "come close");
@@ -111,14 +112,17 @@ void Foam::bodyReader::readFluid()
     const bool continues =
         mesh.time().value() > 0 &&
         dict_.getOrDefault<word>("restart", "continue") != "initial";
-    if (!system_.nu->isMean() && !system_.adjustsStep()) return;
-    if (!continues || !bodyStateFile::read(mesh, saved, file)) return;
+    const bool keeps = system_.nu->isMean() || system_.adjustsStep() ||
+                       dict_.found("interactions");
+    if (!keeps || !continues || !bodyStateFile::read(mesh, saved, file)) return;
     const dictionary before(saved.subOrEmptyDict(bodyStateFile::allGroups));
     if (system_.nu->isMean() && before.found("nu"))
     {
         system_.nu->restore(before.get<scalar>("nu"));
     }
     system_.flowDeltaT = before.getOrDefault<scalar>("flowDeltaT", -1);
+    system_.firstFlow.speed = before.getOrDefault<scalar>("flowSpeed", -1);
+    system_.firstFlow.rate = before.getOrDefault<scalar>("flowRate", -1);
 }
 
 // Samples of many bodies at each step would cost a good part of it
@@ -250,8 +254,7 @@ void Foam::bodyReader::readInteractions(const bodyScene& scene)
         const bodyGroup& group = system_.groups[g];
         if (interactionScene::takesPart(group) && group.points(-1).isSurface())
         {
-            nearField =
-                nearField && system_.between->actBetween(g, g);
+            nearField = nearField && system_.between->actBetween(g, g);
         }
     }
     system_.interactions.reset(new bodyInteractions(

@@ -97,6 +97,7 @@ void Foam::bodyReader::addNuclei(const dictionary& bodies, const word& name,
     const dictionary nuclei(reader.group());
     bodyScene within(scene);
     within.insideBodies = true;
+    within.coupling = bodyCoupling::twoWay; // as their capsules have
     within.viscosityAround = system_.groups[host].inside()->viscosityRatio();
     within.mu *= within.viscosityAround;
     system_.groups.append(bodyGroup::New(inside, nuclei, within).ptr());
@@ -137,7 +138,8 @@ void Foam::bodyReader::readNeighbourField(const bodyScene& scene)
     const bool between = wanted && nBodies > 0;
     system_.effects.declare(
         "neighbourField", between || nuclei,
-        between  ? "near field between bodies, and with walls, closer than 6 cells"
+        between
+            ? "near field between bodies, and with walls, closer than 6 cells"
         : nuclei ? "of nuclei only: entry neighbourField off"
         : wanted ? "no surface with a near field"
                  : "entry neighbourField off");
@@ -146,14 +148,16 @@ void Foam::bodyReader::readNeighbourField(const bodyScene& scene)
         system_.between.reset(
             new neighbourField(system_.groups, scene, !between));
     }
-    const bool films = between && squeezeFilms::arePossible(system_.groups, system_.grid);
-    system_.effects.declare("squeezeFilms", films,
-                            films     ? squeezeFilms::describe()
-                            : between ? "no rigid spheres that could be pressed together"
-                                      : "no near field between bodies");
+    const bool films =
+        between && squeezeFilms::arePossible(system_.groups, system_.grid);
+    system_.effects.declare(
+        "squeezeFilms", films,
+        films     ? squeezeFilms::describe()
+        : between ? "no rigid spheres that could be pressed together"
+                  : "no near field between bodies");
     if (films)
     {
-        system_.films.reset(new squeezeFilms(system_.groups,
-                                             *system_.between, scene));
+        system_.films.reset(
+            new squeezeFilms(system_.groups, *system_.between, scene));
     }
 }

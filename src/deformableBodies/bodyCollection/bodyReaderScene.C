@@ -7,7 +7,7 @@
 #include "dictionaryChecks.H"
 #include "uniformDimensionedFields.H"
 
-Foam::bodyScene Foam::bodyReader::scene() const
+Foam::bodyScene Foam::bodyReader::scene(const flowScales& flow) const
 {
     const Time& time = system_.mesh.time();
     return {system_.grid,
@@ -15,7 +15,7 @@ Foam::bodyScene Foam::bodyReader::scene() const
             system_.solverBalances,
             system_.rho,
             system_.rho * system_.nu->value(),
-            system_.flow,
+            flow,
             readGravity(),
             largestDeltaT(),
             likelyDeltaT(),

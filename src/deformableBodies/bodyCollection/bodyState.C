@@ -54,6 +54,11 @@ void Foam::bodyState::write(Ostream& os, const bool diverged) const
     {
         text << "    nu " << system_.nu->value() << ";\n";
     }
+    if (system_.interactions)
+    {
+        text << "    flowSpeed " << system_.firstFlow.speed
+             << ";\n    flowRate " << system_.firstFlow.rate << ";\n";
+    }
     if (system_.flowDeltaT >= 0)
     {
         text << "    flowDeltaT " << system_.flowDeltaT << ";\n";

@@ -5,6 +5,7 @@
 #include "bodyPicture.H"
 #include "bodyWriter.H"
 #include "foamVtkSeriesWriter.H"
+#include "functionObject.H"
 #include "IPstream.H"
 #include "OPstream.H"
 #include <algorithm>
@@ -40,11 +41,12 @@ void shareLayout(const Foam::bodyGroup& group, Foam::bodySurface& layout)
     }
 }
 
-// Entries of a .vtp.series file before this time whose files exist. next: set to the number
-// after the last file. vtk::seriesWriter::load would end the run if the file is damaged
-Foam::vtk::seriesWriter seriesBefore(const Foam::fileName& file,
-                                     const Foam::scalar now,
-                                     Foam::label* next = nullptr)
+// Entries of a .vtp.series file before this time, in -postProcess also after it, whose files
+// exist. next: set to the number after the last file. vtk::seriesWriter::load would end the run
+// if the file is damaged
+Foam::vtk::seriesWriter seriesWithout(const Foam::fileName& file,
+                                      const Foam::scalar now,
+                                      Foam::label* next = nullptr)
 {
     using namespace Foam;
     vtk::seriesWriter series;
@@ -59,7 +61,9 @@ Foam::vtk::seriesWriter seriesBefore(const Foam::fileName& file,
         if (std::sscanf(line.c_str(),
                         " { \"name\" : \"%255[^\"/]\", \"time\" : %lf }%n",
                         name, &time, &end) == 2 &&
-            end > 0 && time < now - 1e-9 * mag(now) &&
+            end > 0 &&
+            (time < now - 1e-9 * mag(now) ||
+             (functionObject::postProcess && time > now + 1e-9 * mag(now))) &&
             isFile(file.path() / name))
         {
             series.append(time, fileName(name));
@@ -138,8 +142,7 @@ Foam::bodySurface Foam::bodyWriter::surface(const bodyGroup& group,
     const vector L(wrapInto_->length());
     // A nucleus stays in its capsule, which is on this rank
     const bodyGroup& whole = group.host() < 0 ? group : groups_[group.host()];
-    const label k =
-        group.host() < 0 ? i : whole.mine().find(group.mine()[i]);
+    const label k = group.host() < 0 ? i : whole.mine().find(group.mine()[i]);
     const vector position(whole.centre(k) - wrapInto_->origin());
     for (direction d = 0; d < 3; ++d)
     {
@@ -161,7 +164,8 @@ Foam::label Foam::bodyWriter::shift(const scalar now,
     if (now <= 0) return next;
     forAll(groups_, g)
     {
-        seriesBefore(pictures_ / groups_[g].name() + ".vtp.series", now, &next);
+        seriesWithout(pictures_ / groups_[g].name() + ".vtp.series", now,
+                      &next);
     }
     if (next <= timeIndex) return 0;
     Info << "VTK files are numbered from " << next << ", to keep earlier ones"
@@ -225,10 +229,11 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
         write(group, stem, now, layout, nPoints);
         if (!Pstream::master()) continue;
 
-        // Append to the series of earlier times
+        // Add to the series of other times
         const fileName seriesName(pictures_ / group.name() + ".vtp");
-        vtk::seriesWriter series(seriesBefore(seriesName + ".series", now));
+        vtk::seriesWriter series(seriesWithout(seriesName + ".series", now));
         series.append(readScalar(Time::timeName(now)), stem + ".vtp");
+        series.sort();
         series.write(seriesName);
     }
 }

@@ -129,6 +129,12 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                  {"radius", radius_},
                  {"area", referenceArea_}};
 
+    if (!twoWay() && dict.getOrDefault<word>("motion", "auto") == "penalty")
+    {
+        refuse(dict, "motion", "penalty",
+               "auto, explicit or stabilised with coupling oneWay: the fluid "
+               "takes no load");
+    }
     setNearField(dict, extent);
     const scalar ratio = viscosityRatio_ / scene_.viscosityAround;
     motion_ = capsuleMotion::New(dict,

@@ -27,10 +27,15 @@ Foam::penaltyMotion::penaltyMotion(const setting& s,
 
 void Foam::penaltyMotion::start(capsule& c) const
 {
-    if (c.lag.empty())
+    if (c.lag.empty()) c.lagBefore = c.lag = numbers(c.x.size(), 0);
+    if (!c.load.empty()) return;
+
+    // The part of the end of the last step
+    c.load.assign(c.x.size(), 0);
+    for (size_t j = 0; j < c.lag.size() && c.lastDeltaT > 0; ++j)
     {
-        c.lag.assign(c.x.size(), 0);
-        c.lagBefore = c.load = c.lag;
+        c.load[j] = -share_ * (2 * c.lag[j] - c.lagBefore[j]) * mass_ /
+                    sqr(c.lastDeltaT);
     }
 }
 

@@ -156,6 +156,13 @@ void Foam::filamentGroup::restore(body& x, const label number,
 {
     centreOf(state, number, source);
     x.line.restore(state.cdata());
+
+    // Held ends stay where they are, unless they are moved
+    for (const label end : {0, 1})
+    {
+        if (base_.valid() && end == movedEnd()) continue;
+        x.line.moveEnd(end, x.line.positions()[end * properties_.segments]);
+    }
     if (properties_.scheme == filament::IMPLICIT && x.line.lengthError() > 1e-6)
     {
         waitForMaster();
@@ -199,6 +206,16 @@ void Foam::filamentGroup::judgeSize(const dictionary& dict) const
     judge(dict, ratios);
 }
 
+Foam::scalar Foam::filamentGroup::fastest() const
+{
+    scalar speed = 0;
+    for (const body& x : bodies_)
+    {
+        speed = max(speed, max(mag(x.line.velocities())));
+    }
+    return speed;
+}
+
 void Foam::filamentGroup::recordSlip(const vector* U)
 {
     for (body& x : bodies_)
@@ -237,7 +254,8 @@ void Foam::filamentGroup::judgeSlip()
         os.precision(4);
         os << nameOfBody(mine()[worst]).c_str() << " at " << centre(worst)
            << " slips by " << most << " m/s, where the fluid at its group has "
-           << "moved at up to " << largestSpeed_ << " m/s, at time " << lastTime_;
+           << "moved at up to " << largestSpeed_ << " m/s, at time "
+           << lastTime_;
         where = os.str();
     }
     where = firstOf(where);

@@ -34,6 +34,7 @@ Foam::fluidViscosity::fluidViscosity(const fvMesh& mesh,
 
     given_ = bodies.found("nu");
     varies_ = fluid != "Newtonian" || stress != "Stokes";
+    uniform_ = !varies_;
     if (!varies_ && given_)
     {
         refuse(

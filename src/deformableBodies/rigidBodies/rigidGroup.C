@@ -168,7 +168,7 @@ void Foam::rigidGroup::restore(body& x, const label number,
                  << " markers a body, before " << before
                  << ": their forces start from zero" << endl;
         }
-        x.dt = 0;
+        x.dt = -1; // no forces of a last step
         x.forces = Zero;
         x.U = Zero;
         return;

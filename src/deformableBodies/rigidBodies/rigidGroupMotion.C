@@ -93,6 +93,17 @@ Foam::scalar Foam::rigidGroup::slipOf(const body& x, const vectorField& u)
     return max(mag(x.velocity + (x.angularVelocity ^ (x.X - x.centre)) - u));
 }
 
+Foam::scalar Foam::rigidGroup::fastest() const
+{
+    scalar speed = 0;
+    for (const body& x : bodies_)
+    {
+        speed = max(speed, mag(x.velocity) + mag(x.angularVelocity) *
+                                                 cmptMax(shape_.semiAxes()));
+    }
+    return speed;
+}
+
 void Foam::rigidGroup::recordSlip(const vector* U)
 {
     forAll(mine(), i)
@@ -121,7 +132,8 @@ Foam::rigidGroup::surround(const label i, const vector* U,
                            const scalar* lineDensity, const bodyStep& s)
 {
     body& x = bodies_[i];
-    surroundings around{surfaceVelocity(i, U), gains(lineDensity, s), Zero, Zero};
+    surroundings around{surfaceVelocity(i, U), gains(lineDensity, s), Zero,
+                        Zero};
     if (scene_.forces.actOn(name(), mine()[i]))
     {
         vectorField F(surface_.size(), Zero);
@@ -134,7 +146,7 @@ Foam::rigidGroup::surround(const label i, const vector* U,
 
     // The change of the mesh's velocity only: the gains account for that of the near
     // field
-    const vectorField change(x.change(U, x.dt == 0));
+    const vectorField change(x.change(U, x.dt <= 0));
     if (!s.predicted) around.U += 0.5 * change;
     return around;
 }
@@ -168,7 +180,7 @@ void Foam::rigidGroup::step(body& x, const surroundings& around,
 
 std::vector<Foam::rigidStep::answer>
 Foam::rigidGroup::freeMotions(const vector* U, const scalar* lineDensity,
-                          const bodyStep& s)
+                              const bodyStep& s)
 {
     const auto timing(scene_.effects.time("rigid"));
     std::vector<rigidStep::answer> all;

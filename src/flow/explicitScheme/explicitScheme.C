@@ -39,21 +39,32 @@ Foam::explicitScheme::explicitScheme(const uniformGrid& grid,
     const auto state = stateOfTime(mesh, "timeScheme");
     const word before(state ? state->getOrDefault<word>("timeScheme", "AB2")
                             : "AB2");
+    nameFile_.reset(
+        new stateObject<IOdictionary>("timeScheme", "uniform", mesh_,
+                                      [this](Ostream& os) { writeName(os); }));
     if ((asked_ == "auto" ? before : asked_) == "RK3")
     {
         takeRK3();
         return;
     }
-    readTerms();
+    readTerms(state ? state->getOrDefault<word>("terms", word::null)
+                    : word::null);
     termsFile_.reset(new stateObject<volVectorField>(
         termsName(history_.withDiffusion), "", mesh,
         [this](Ostream& os) { writeTerms(os); }));
 }
 
-void Foam::explicitScheme::readTerms()
+void Foam::explicitScheme::writeName(Ostream& os) const
+{
+    os.writeEntry("timeScheme", word(RK3_ ? "RK3" : "AB2"));
+    if (!RK3_) os.writeEntry("terms", termsName(history_.withDiffusion));
+}
+
+void Foam::explicitScheme::readTerms(const word& ofState)
 {
     for (const bool withDiffusion : {false, true})
     {
+        if (!ofState.empty() && ofState != termsName(withDiffusion)) continue;
         IOobject io(termsName(withDiffusion), mesh_.time().timeName(), mesh_,
                     IOobject::MUST_READ, IOobject::NO_WRITE, false);
         if (!io.typeHeaderOk<volVectorField>(true)) continue;
@@ -125,12 +136,6 @@ void Foam::explicitScheme::takeRK3()
     RK3_ = true;
     history_.known = false;
     termsFile_.reset();
-    if (asked_ == "auto")
-    {
-        nameFile_.reset(new stateObject<IOdictionary>(
-            "timeScheme", "uniform", mesh_,
-            [](Ostream& os) { os.writeEntry("timeScheme", "RK3"); }));
-    }
     stages_ = {{8.0 / 15, 0, 8.0 / 15},
                {5.0 / 12, -17.0 / 60, 2.0 / 15},
                {3.0 / 4, -5.0 / 12, 1.0 / 3}};

@@ -16,6 +16,91 @@ void Foam::markerSet::setPositions(const vectorField& X)
     sort();
 }
 
+bool Foam::markerSet::positionRange::contains(const vector& x) const
+{
+    bool within = true;
+    for (direction d = 0; d < 3; ++d)
+    {
+        within = within && x[d] >= from[d] && x[d] < to[d];
+    }
+    return within;
+}
+
+// Faces on walls count as outside of the block, as a boundary condition sets their velocity.
+// The upper limits have a margin for rounding
+Foam::scalar Foam::markerSet::lowestPosition(const label face,
+                                             const label cell) const
+{
+    return kernel_.reach() + max(face - scalar(1), cell - 0.5);
+}
+
+Foam::markerSet::positionRange Foam::markerSet::wholeInBlock() const
+{
+    positionRange range;
+    for (direction d = 0; d < 3; ++d)
+    {
+        const label lo = grid_.box().lo[d];
+        range.from[d] =
+            lowestPosition(lo == 0 && !grid_.periodic(d) ? 1 : lo, lo);
+        range.to[d] =
+            kernel_.reach() + lo + grid_.box().size[d] - rowSize(d) - 1e-9;
+    }
+    return range;
+}
+
+Foam::markerSet::positionRange Foam::markerSet::freeOfWalls() const
+{
+    positionRange range;
+    for (direction d = 0; d < 3; ++d)
+    {
+        const bool periodic = grid_.periodic(d);
+        range.from[d] = periodic ? -GREAT : lowestPosition(1, 0);
+        range.to[d] = periodic ? GREAT
+                               : kernel_.reach() + grid_.n()[d] -
+                                     kernel_.nPoints() - 1e-9;
+    }
+    return range;
+}
+
+Foam::vector Foam::markerSet::inCells(const vector& X) const
+{
+    vector x(cmptDivide(X - grid_.origin(), grid_.h()));
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar size = grid_.n()[d];
+        if (grid_.periodic(d) && !(x[d] >= 0 && x[d] < size))
+        {
+            x[d] -= size * std::floor(x[d] / size);
+        }
+    }
+    return x;
+}
+
+template<class Visit>
+void Foam::markerSet::eachImage(const vector& x, Visit visit) const
+{
+    const cellBox& box = grid_.box();
+    scalar reached[3][3];
+    int count[3] = {0, 0, 0};
+    for (direction d = 0; d < 3; ++d)
+    {
+        const int images = grid_.periodic(d) ? 1 : 0;
+        for (int image = -images; image <= images; ++image)
+        {
+            const scalar shifted = x[d] + image * scalar(grid_.n()[d]);
+            if (shifted > box.lo[d] - kernel_.reach() &&
+                shifted < box.lo[d] + box.size[d] - 0.5 + kernel_.reach())
+            {
+                reached[d][count[d]++] = shifted;
+            }
+        }
+    }
+    for (int i = 0; i < count[0]; ++i)
+        for (int j = 0; j < count[1]; ++j)
+            for (int k = 0; k < count[2]; ++k)
+                visit(vector(reached[0][i], reached[1][j], reached[2][k]));
+}
+
 // Bunches of layers and rows are sorted by z, then y. Within a bunch markers keep the order
 // of the list, in which neighbours are close in space: rows that one marker has fetched
 // are in the cache for the next
@@ -24,92 +109,23 @@ void Foam::markerSet::sort()
     const cellBox& box = grid_.box();
     const label n = X().size(), perLayer = box.size.y() / bunch_ + 1,
                 nBunches = perLayer * (box.size.z() / bunch_ + 1);
-
-    // Limits of positions in cells of the box. Between from and to all grid points of a
-    // marker lie in the block; between wallFree[0] and wallFree[1] no wall changes its
-    // weights. Faces on walls are excluded, as a boundary condition sets their velocity
-    scalar from[3], to[3], wallFree[2][3];
-    bool wide = true; // the block has as many cells as a kernel has points
-    for (direction d = 0; d < 3; ++d)
-    {
-        const label lo = box.lo[d], last = lo + box.size[d] - rowSize(d);
-        const auto after = [&](const label lowestFace, const label lowestCell) {
-            return kernel_.reach() +
-                   max(lowestFace - scalar(1), lowestCell - 0.5);
-        };
-        const bool periodic = grid_.periodic(d);
-        from[d] = after(lo == 0 && !periodic ? 1 : lo, lo);
-        to[d] = kernel_.reach() + last - 1e-9; // margin for rounding
-        wallFree[0][d] = periodic ? -GREAT : after(1, 0);
-        wallFree[1][d] = periodic ? GREAT
-                                  : kernel_.reach() + grid_.n()[d] -
-                                        kernel_.nPoints() - 1e-9;
-        wide = wide && box.size[d] >= rowSize(d);
-    }
-    const auto isWithin =
-        [](const vector& x, const scalar* lo, const scalar* hi)
-    {
-        bool within = true;
-        for (direction d = 0; d < 3; ++d)
-        {
-            within = within && x[d] >= lo[d] && x[d] < hi[d];
-        }
-        return within;
-    };
-
-    // Position of marker k in cells of the box, wrapped in periodic directions
-    const vector perH(cmptDivide(vector::one, grid_.h()));
-    const auto inCells = [&](const label k)
-    {
-        vector x(cmptMultiply(X()[k] - grid_.origin(), perH));
-        for (direction d = 0; d < 3; ++d)
-        {
-            const scalar size = grid_.n()[d];
-            if (grid_.periodic(d) && !(x[d] >= 0 && x[d] < size))
-            {
-                x[d] -= size * std::floor(x[d] / size);
-            }
-        }
-        return x;
-    };
-
-    // Call visit(position) for each periodic image that reaches the block
-    const auto eachImage = [&](const vector& x, auto visit)
-    {
-        scalar reached[3][3];
-        int count[3] = {0, 0, 0};
-        for (direction d = 0; d < 3; ++d)
-        {
-            const int images = grid_.periodic(d) ? 1 : 0;
-            for (int image = -images; image <= images; ++image)
-            {
-                const scalar shifted = x[d] + image * scalar(grid_.n()[d]);
-                if (shifted > box.lo[d] - kernel_.reach() &&
-                    shifted < box.lo[d] + box.size[d] - 0.5 + kernel_.reach())
-                {
-                    reached[d][count[d]++] = shifted;
-                }
-            }
-        }
-        for (int i = 0; i < count[0]; ++i)
-            for (int j = 0; j < count[1]; ++j)
-                for (int k = 0; k < count[2]; ++k)
-                    visit(vector(reached[0][i], reached[1][j], reached[2][k]));
-    };
+    const positionRange whole(wholeInBlock()), clipped(freeOfWalls());
+    const bool wide = box.size.x() >= rowSize(0) &&
+                      box.size.y() >= rowSize(1) && box.size.z() >= rowSize(2);
 
     const label ofClipped = nBunches, ofCut = nBunches + 1;
     labelList start(nBunches + 3, Zero), bin(n);
     vectorField position(n);
     for (label k = 0; k < n; ++k)
     {
-        const vector& x = position[k] = inCells(k);
-        if (isWithin(x, from, to))
+        const vector& x = position[k] = inCells(X()[k]);
+        if (whole.contains(x))
         {
             bin[k] = label(x.y() - box.lo.y()) / bunch_ +
                      perLayer * layerOfBunches(x);
             ++start[bin[k] + 1];
         }
-        else if (wide && isWithin(x, wallFree[0], wallFree[1]))
+        else if (wide && clipped.contains(x))
         {
             bin[k] = ofClipped;
             eachImage(x, [&](const vector&) { ++start[ofClipped + 1]; });

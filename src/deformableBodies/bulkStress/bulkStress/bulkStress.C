@@ -11,7 +11,10 @@ Foam::string Foam::bulkStress::obstacle(const bodySystem& system,
                                         const shearSides& sides)
 {
     if (!system.twoWay()) return "no bodies act on the fluid";
-    if (system.nu->isMean()) return "the viscosity of the fluid is not uniform";
+    if (!system.nu->isUniform())
+    {
+        return "the stress of the fluid is not that of one viscosity";
+    }
     if (sides.rate == 0) return "no sides of the box move against each other";
     if (sides.oblique > 1e-6) return "sides move in no direction of the mesh";
     for (direction d = 0; d < 3; ++d)
@@ -33,8 +36,7 @@ Foam::bulkStress::New(const dictionary& dict, const bodySystem& system,
     const string why(obstacle(system, shearSides::of(system.mesh)));
     const bool given = dict.found("bulkStress"),
                isDict = dict.isDict("bulkStress");
-    if (given && !isDict &&
-        !Switch(dict.get<word>("bulkStress"), true).valid())
+    if (given && !isDict && !Switch(dict.get<word>("bulkStress"), true).valid())
     {
         refuse(dict, "bulkStress", valueOf(*dict.findEntry("bulkStress")),
                "on, off or a dictionary");
@@ -149,6 +151,8 @@ void Foam::bulkStress::begin()
     const shearSides sides(shearSides::of(system_.mesh));
     if (!isShear(sides)) return;
     begun_ = step;
+    beginTime_ =
+        system_.mesh.time().value() - system_.mesh.time().deltaTValue();
     before_ = lastLine_ == step - 1 ? after_ : measure(sides);
 }
 
@@ -190,7 +194,7 @@ Foam::scalarList Foam::bulkStress::line(const shearSides& sides,
 {
     const direction f = sides.flow, g = sides.gradient, v = 3 - f - g;
     const scalar unit = system_.rho * system_.nu->value() * sides.rate;
-    const scalar dt = system_.mesh.time().deltaTValue();
+    const scalar dt = system_.mesh.time().value() - beginTime_;
     const scalar last = implicit_ ? 1 : 0.5, first = 1 - last;
     const auto mean = [&](const scalar fluidStress::*term)
     { return (first * before_.*term + last * after_.*term) / unit; };

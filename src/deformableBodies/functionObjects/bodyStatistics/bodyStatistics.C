@@ -35,9 +35,11 @@ Foam::functionObjects::bodyStatistics::bodyStatistics(const word& name,
     {
         const label g = all.find(group);
         if (g < 0) refuse(dict, "groups", group, oneOf(all));
-        groups_.emplace_back(bodies_.system().groups[g], uniformGrid::New(mesh_),
-                             settings);
+        groups_.emplace_back(bodies_.system().groups[g],
+                             uniformGrid::New(mesh_), settings);
     }
+    bodyCollection::New(mesh_).sampledBy([dict, &time]()
+                                         { return isExecuted(dict, time); });
     settings_ = textOf(settings);
     readState();
     keepState(dict);
@@ -95,7 +97,7 @@ Foam::functionObjects::bodyStatistics::readSettings(
 
 void Foam::functionObjects::bodyStatistics::readState()
 {
-    const auto saved = stateOfTime(mesh_, name());
+    const auto saved = savedState();
     if (!saved) return;
     if (saved->getOrDefault<string>("settings", "") != settings_)
     {

@@ -41,9 +41,20 @@ Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
         const IOdictionary transport(
             IOobject("transportProperties", mesh_.time().constant(), mesh_,
                      IOobject::MUST_READ, IOobject::NO_WRITE, false));
-        nu_ = fluidViscosity(mesh_, transport, dictionary::null).value();
+        const fluidViscosity nu(mesh_, transport, dictionary::null);
+        nu_ = nu.value();
+        withStress_ = nu.isUniform();
         if (transport.found("rho"))
             rho_ = readPositive(transport, "rho", dimDensity);
+    }
+    else
+    {
+        withStress_ = bodies_.system().nu->isUniform();
+    }
+    if (!withStress_)
+    {
+        Info << "functionObject " << name << ": no stress.dat, as the stress "
+             << "of the fluid is not that of one viscosity" << nl;
     }
     g_ = readDirection(dict, "across", acrossSides(grid_));
     const shearSides sides(shearSides::of(mesh_));
@@ -115,7 +126,7 @@ void Foam::functionObjects::phaseProfiles::writeState(Ostream& os) const
 
 void Foam::functionObjects::phaseProfiles::readState()
 {
-    const auto saved = stateOfTime(mesh_, name());
+    const auto saved = savedState();
     if (!saved) return;
     const labelList directions({label(f_), label(g_)});
     if (saved->getOrDefault<labelList>("directions", labelList()) != directions)
@@ -155,9 +166,8 @@ bool Foam::functionObjects::phaseProfiles::execute()
     const layerMeans means(bodies_.statistics().layers(f_, g_));
     u_ += dt * means.u;
     squares_ += dt * means.squares;
-    const scalarField force(none
-                                ? scalarField(n, Zero)
-                                : bodies_.statistics().forces(f_, g_));
+    const scalarField force(none ? scalarField(n, Zero)
+                                 : bodies_.statistics().forces(f_, g_));
     const scalar layer = grid_.volume() / n;
     const bool walls = !grid_.periodic(g_);
     const sideVelocities sides(mesh_.lookupObject<volVectorField>("U"), grid_,
@@ -193,7 +203,7 @@ bool Foam::functionObjects::phaseProfiles::write()
     if (postProcess || !Pstream::master() || weight_ == 0) return true;
     const fileName dir(folder());
     writeProfiles(OFstream(dir / "profiles.dat")());
-    writeStress(OFstream(dir / "stress.dat")());
+    if (withStress_) writeStress(OFstream(dir / "stress.dat")());
     return true;
 }
 

@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "sampledBodies.H"
+#include "caseFiles.H"
 #include "dictionaryChecks.H"
 #include "functionTimes.H"
 #include "OSspecific.H"
@@ -10,8 +11,9 @@ Foam::functionObjects::sampledBodies::sampledBodies(const word& name,
                                                     const dictionary& dict,
                                                     const word& type)
     : fvMeshFunctionObject(name, time, dict),
+      timeStart_(dict.getOrDefault<scalar>("timeStart", -GREAT)),
       bodies_(bodyCollection::New(mesh_)),
-      last_(max(time.value(), dict.getOrDefault<scalar>("timeStart", -GREAT)))
+      last_(max(time.value(), timeStart_))
 {
     uniformGrid::New(mesh_).require(dict, type);
     if (mesh_.foundObject<regIOobject>(name))
@@ -19,11 +21,10 @@ Foam::functionObjects::sampledBodies::sampledBodies(const word& name,
         refuse(dict.parent(), name, type,
                "another name, as the mesh has an object of this one");
     }
-    const scalar end = time.endTime().value(),
-                 start = dict.getOrDefault<scalar>("timeStart", -GREAT);
-    if (start >= end)
+    const scalar end = time.endTime().value();
+    if (timeStart_ >= end)
     {
-        refuse(dict, "timeStart", Foam::name(start),
+        refuse(dict, "timeStart", Foam::name(timeStart_),
                "times before endTime, " + Foam::name(end));
     }
 }
@@ -36,6 +37,22 @@ void Foam::functionObjects::sampledBodies::requireBodies(
            "cases with constant/deformableBodies: there are no bodies");
 }
 
+std::unique_ptr<Foam::dictionary>
+Foam::functionObjects::sampledBodies::savedState() const
+{
+    std::unique_ptr<dictionary> state;
+    const auto saved = stateOfTime(mesh_, name());
+    if (!saved) return state;
+    if (saved->getOrDefault<scalar>("timeStart", timeStart_) != timeStart_)
+    {
+        Info << "functionObject " << name() << " starts afresh: its timeStart "
+             << "is not that of the state" << nl;
+        return state;
+    }
+    state.reset(new dictionary(*saved));
+    return state;
+}
+
 void Foam::functionObjects::sampledBodies::keepState(const dictionary& dict)
 {
     state_.reset(new stateObject<IOdictionary>(name(), "uniform", mesh_,
@@ -46,7 +63,10 @@ void Foam::functionObjects::sampledBodies::keepState(const dictionary& dict)
                                                    OStringStream text;
                                                    text.precision(17);
                                                    text << "last " << last_
-                                                        << ';' << nl;
+                                                        << ';' << nl
+                                                        << "timeStart "
+                                                        << timeStart_ << ';'
+                                                        << nl;
                                                    writeState(text);
                                                    os << text.str().c_str();
                                                }));

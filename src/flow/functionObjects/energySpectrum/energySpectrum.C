@@ -87,12 +87,12 @@ void Foam::functionObjects::energySpectrum::velocity(staggeredField& u) const
 
 Foam::scalar Foam::functionObjects::energySpectrum::forcingPower() const
 {
-    const auto* options =
-        mesh_.cfindObject<fv::options>(fv::options::typeName);
+    const auto* options = mesh_.cfindObject<fv::options>(fv::options::typeName);
     if (!options) return 0;
     staggeredField f(grid_.box()), u(grid_.box());
     bool forced = false;
-    for (const fv::option& o : static_cast<const PtrList<fv::option>&>(*options))
+    for (const fv::option& o :
+         static_cast<const PtrList<fv::option>&>(*options))
     {
         const auto* forcing = isA<fv::lowModeForcing>(o);
         if (!forcing || !const_cast<fv::option&>(o).isActive()) continue;
@@ -173,7 +173,7 @@ void Foam::functionObjects::energySpectrum::sumShells()
         reduce(along_[d], sumOp<vectorField>());
     }
     gradient2_ = returnReduce(gradient2, sumOp<scalar>());
-    total_ = returnReduce(total, sumOp<scalar>());
+    total_ = returnReduce(total, sumOp<scalar>()) - energy_[0]; // of the mean
 }
 
 Foam::scalar Foam::functionObjects::energySpectrum::skewness() const
@@ -198,8 +198,7 @@ Foam::scalar Foam::functionObjects::energySpectrum::skewness() const
         const fvsPatchScalarField& flux = phi.boundaryField()[patch];
         forAll(flux, i)
         {
-            const direction d =
-                component(mesh_.Sf().boundaryField()[patch][i]);
+            const direction d = component(mesh_.Sf().boundaryField()[patch][i]);
             gradient[mesh_.boundary()[patch].faceCells()[i]][d] += flux[i];
         }
     }
@@ -238,7 +237,8 @@ bool Foam::functionObjects::energySpectrum::execute()
     file() << time_.value() << tab << total_ << tab << dissipation << tab << rms
            << tab << lambda << tab << rms * lambda / nu_ << tab << integral
            << tab << Foam::pow025(pow3(nu_) / (dissipation + VSMALL)) << tab
-           << integral / (rms + VSMALL) << tab << skewed << tab << power << endl;
+           << integral / (rms + VSMALL) << tab << skewed << tab << power
+           << endl;
     return true;
 }
 
@@ -250,9 +250,8 @@ Foam::functionObjects::energySpectrum::structureFunctions(const scalar r) const
     {
         forAll(along_[d], m)
         {
-            const scalar apart =
-                1 - Foam::cos(constant::mathematical::twoPi * m * r /
-                              grid_.length()[d]);
+            const scalar apart = 1 - Foam::cos(constant::mathematical::twoPi *
+                                               m * r / grid_.length()[d]);
             const vector& e = along_[d][m];
             longitudinal += 4 * apart * e[d] / 3;
             transverse += 4 * apart * (cmptSum(e) - e[d]) / 6;
