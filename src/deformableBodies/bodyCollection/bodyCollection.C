@@ -48,8 +48,7 @@ void Foam::bodyCollection::refuseMisplaced(const IOobject& io) const
         << (io.instance() / io.db().dbDir() / io.name()).c_str()
         << ", but a file " << other.c_str() << nl
         << "    Bodies are read from the first only: move the file, or take "
-           "it away for a run without bodies"
-        << exit(FatalError);
+           "it away for a run without bodies" << exit(FatalError);
 }
 
 void Foam::bodyCollection::read(const IOobject& io)
@@ -156,13 +155,6 @@ Foam::tmp<Foam::volVectorField> Foam::bodyCollection::cellForce() const
     return fvc::reconstruct(*forceFlux_);
 }
 
-bool Foam::bodyCollection::isSampled() const
-{
-    return output_->sampleDue() ||
-           std::any_of(samplers_.begin(), samplers_.end(),
-                       [](const std::function<bool()>& due) { return due(); });
-}
-
 void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
                                             staggeredField& force)
 {
@@ -177,7 +169,7 @@ void Foam::bodyCollection::moveWithVelocity(const staggeredView& u,
 
     const auto timing(system_.effects.time("boxChecks"));
     system_.begin();
-    if (isSampled()) motion_.recordSlip(u);
+    if (output_->slipDue()) motion_.recordSlip(u);
     motion_.moveWithVelocity(u, force);
 }
 
@@ -279,8 +271,7 @@ void Foam::bodyCollection::restore(const snapshot& s)
     forAll(system_.groups, g)
     {
         bodyGroup& group = system_.groups[g];
-        while (group.mine().size())
-            group.release(group.mine().size() - 1);
+        while (group.mine().size()) group.release(group.mine().size() - 1);
         forAll(s.numbers[g], i)
         {
             group.insert(s.numbers[g][i], s.states[g][i], dictionary::null);

@@ -3,6 +3,7 @@
 #include "bodyOutput.H"
 #include "functionTimes.H"
 #include "fvc.H"
+#include <algorithm>
 
 Foam::bodyOutput::bodyOutput(bodySystem& system, const bool wrap)
     : system_(system),
@@ -42,6 +43,13 @@ Foam::bodyOutput::force(const labelUList& groups) const
     flux.setOriented();
     system_.grid.toFlux(faces, flux);
     return fvc::reconstruct(flux);
+}
+
+bool Foam::bodyOutput::slipDue() const
+{
+    return sampleDue() ||
+           std::any_of(samplers_.begin(), samplers_.end(),
+                       [](const std::function<bool()>& due) { return due(); });
 }
 
 void Foam::bodyOutput::start()

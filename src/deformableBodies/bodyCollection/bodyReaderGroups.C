@@ -97,7 +97,7 @@ void Foam::bodyReader::addNuclei(const dictionary& bodies, const word& name,
     const dictionary nuclei(reader.group());
     bodyScene within(scene);
     within.insideBodies = true;
-    within.coupling = bodyCoupling::twoWay; // as their capsules have
+    within.coupling = bodyCoupling::twoWay; // capsules with nuclei have it, too
     within.viscosityAround = system_.groups[host].inside()->viscosityRatio();
     within.mu *= within.viscosityAround;
     system_.groups.append(bodyGroup::New(inside, nuclei, within).ptr());

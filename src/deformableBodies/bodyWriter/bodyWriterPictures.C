@@ -42,11 +42,12 @@ void shareLayout(const Foam::bodyGroup& group, Foam::bodySurface& layout)
 }
 
 // Entries of a .vtp.series file before this time, in -postProcess also after it, whose files
-// exist. next: set to the number after the last file. vtk::seriesWriter::load would end the run
-// if the file is damaged
+// exist. next: set to the number after the last file; same: to the file of this time.
+// vtk::seriesWriter::load would end the run if the file is damaged
 Foam::vtk::seriesWriter seriesWithout(const Foam::fileName& file,
                                       const Foam::scalar now,
-                                      Foam::label* next = nullptr)
+                                      Foam::label* next = nullptr,
+                                      Foam::fileName* same = nullptr)
 {
     using namespace Foam;
     vtk::seriesWriter series;
@@ -60,18 +61,23 @@ Foam::vtk::seriesWriter seriesWithout(const Foam::fileName& file,
         complete = line == "}";
         if (std::sscanf(line.c_str(),
                         " { \"name\" : \"%255[^\"/]\", \"time\" : %lf }%n",
-                        name, &time, &end) == 2 &&
-            end > 0 &&
-            (time < now - 1e-9 * mag(now) ||
-             (functionObject::postProcess && time > now + 1e-9 * mag(now))) &&
-            isFile(file.path() / name))
+                        name, &time, &end) != 2 ||
+            end == 0 || !isFile(file.path() / name))
         {
-            series.append(time, fileName(name));
-            const char* number = std::strrchr(name, '_');
-            if (next && number)
-            {
-                *next = max(*next, label(std::atol(number + 1)) + 1);
-            }
+            continue;
+        }
+        const scalar after = time - now, margin = 1e-9 * mag(now);
+        if (same && mag(after) <= margin) *same = name;
+        if (after >= -margin &&
+            (!functionObject::postProcess || after <= margin))
+        {
+            continue;
+        }
+        series.append(time, fileName(name));
+        const char* number = std::strrchr(name, '_');
+        if (next && number)
+        {
+            *next = max(*next, label(std::atol(number + 1)) + 1);
         }
     }
     if (!complete && !next)
@@ -168,8 +174,9 @@ Foam::label Foam::bodyWriter::shift(const scalar now,
                       &next);
     }
     if (next <= timeIndex) return 0;
-    Info << "VTK files are numbered from " << next << ", to keep earlier ones"
-         << nl;
+    if (!functionObject::postProcess)
+        Info << "VTK files are numbered from " << next
+             << ", to keep earlier ones" << nl;
     return next - timeIndex;
 }
 
@@ -224,14 +231,23 @@ void Foam::bodyWriter::draw(const scalar now, const label timeIndex)
             returnReduce(layout.points.size(), maxOp<label>());
         if (nPoints == 0) continue; // all bodies have been removed
         shareLayout(group, layout);
-        const fileName stem(pictures_ / group.name() + "_" +
-                            Foam::name(shift_ + timeIndex));
+        fileName stem(pictures_ / group.name() + "_" +
+                      Foam::name(shift_ + timeIndex));
+        const fileName seriesName(pictures_ / group.name() + ".vtp");
+        vtk::seriesWriter series;
+        if (Pstream::master())
+        {
+            fileName same;
+            series = seriesWithout(seriesName + ".series", now, nullptr, &same);
+            if (functionObject::postProcess && !same.empty())
+            {
+                stem = pictures_ / same.lessExt();
+            }
+        }
         write(group, stem, now, layout, nPoints);
         if (!Pstream::master()) continue;
 
         // Add to the series of other times
-        const fileName seriesName(pictures_ / group.name() + ".vtp");
-        vtk::seriesWriter series(seriesWithout(seriesName + ".series", now));
         series.append(readScalar(Time::timeName(now)), stem + ".vtp");
         series.sort();
         series.write(seriesName);

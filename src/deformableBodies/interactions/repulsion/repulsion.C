@@ -35,9 +35,8 @@ contactStrength strengthFor(const contactLoad& load,
 
     // F = 2 pi a P R/6 at high loads, and 2 pi a P is its stiffness
     const scalar dt = scene.deltaT;
-    const scalar most =
-        max((2 * load.own + load.force) / (a * range),
-            0.5 * (load.mass / dt + load.drag) / (pi * a * dt));
+    const scalar most = max((2 * load.own + load.force) / (a * range),
+                            0.5 * (load.mass / dt + load.drag) / (pi * a * dt));
     return {S, reason, nullptr, most};
 }
 
@@ -119,15 +118,16 @@ void Foam::repulsion::tabulate()
     forAll(table_, i)
     {
         const scalar r = law_.range() * std::sqrt(i / (table_.size() - 1.0));
-        table_[i] = between(r) / max(r, 0.01 * law_.range());
+        table_[i] = between(r, r) / max(r, 0.01 * law_.range());
     }
 }
 
-Foam::scalar Foam::repulsion::between(const scalar distance) const
+Foam::scalar Foam::repulsion::between(const scalar apart,
+                                      const scalar gap) const
 {
-    // Elements that are closer feel the force at this distance
-    const scalar d = max(distance, 0.05 * law_.range());
-    return law_.between(d, d);
+    // Elements that are closer feel the force at this gap
+    const scalar d = max(gap, 0.05 * law_.range());
+    return law_.between(max(apart, d), d);
 }
 
 void Foam::repulsion::add(const closePairs& pairs,
@@ -154,11 +154,11 @@ void Foam::repulsion::add(const closePairs& pairs,
                 continue;
             }
             const scalar apart = mag(p.r);
-            perDistance = between(apart - t) / max(apart, SMALL * law_.range());
+            perDistance =
+                between(apart, apart - t) / max(apart, SMALL * law_.range());
         }
         forces.add(
-            p,
-            perDistance * points[p.first].size * points[p.second].size * p.r,
+            p, perDistance * points[p.first].size * points[p.second].size * p.r,
             law_.steepness(mag(p.r) - t));
     }
 }

@@ -173,7 +173,8 @@ void Foam::functionObjects::energySpectrum::sumShells()
         reduce(along_[d], sumOp<vectorField>());
     }
     gradient2_ = returnReduce(gradient2, sumOp<scalar>());
-    total_ = returnReduce(total, sumOp<scalar>()) - energy_[0]; // of the mean
+    // Energy of the mean flow is left out
+    total_ = returnReduce(total, sumOp<scalar>()) - energy_[0];
 }
 
 Foam::scalar Foam::functionObjects::energySpectrum::skewness() const

@@ -307,24 +307,29 @@ TEST(ClosePairs, pressureOfPlanes)
         const repulsion model(dictionary(is),
                               interactionScene{grid(), 1, 1e-9, 2, 0, 0, {}});
         const scalar R = model.range(true, true);
-        for (const scalar distance : {0.3, 0.5, 0.8})
+        for (const scalar thickness : {0.0, 0.5 * R})
         {
-            // A point above a plane of closely spaced points
-            const scalar spacing = 0.02 * R;
-            scalar force = 0;
-            for (label i = -60; i <= 60; ++i)
+            for (const scalar distance : {0.3, 0.5, 0.8})
             {
-                for (label j = -60; j <= 60; ++j)
+                // A point of a surface, or of a fibre of that radius, above a plane of
+                // closely spaced points
+                const scalar spacing = 0.02 * R;
+                scalar force = 0;
+                for (label i = -80; i <= 80; ++i)
                 {
-                    const vector r(i * spacing, j * spacing, distance * R);
-                    force +=
-                        model.between(mag(r)) * r.z() / mag(r) * sqr(spacing);
+                    for (label j = -80; j <= 80; ++j)
+                    {
+                        const vector r(i * spacing, j * spacing,
+                                       distance * R + thickness);
+                        force += model.between(mag(r), mag(r) - thickness) *
+                                 r.z() / mag(r) * sqr(spacing);
+                    }
                 }
+                test::expectBelow(
+                    std::string(law) + " at " + std::to_string(distance) +
+                        " of the range, radius " + std::to_string(thickness),
+                    mag(force / model.ofWall(distance * R, true) - 1), 0.03);
             }
-            test::expectBelow(std::string(law) + " at " +
-                                  std::to_string(distance) + " of the range",
-                              mag(force / model.ofWall(distance * R, true) - 1),
-                              0.03);
         }
         EXPECT_NEAR(model.ofWall(0.5 * R, true) / 40, law[4] == 'M' ? 1 : 0.777,
                     1e-3);
