@@ -1,7 +1,7 @@
 """Figure of the study of suspensions: drawRheology.py table.csv picture.png
 
 A row of panels for each Reynolds number of capsules and of fibres; a column for each quantity. Points of
-the second kind (a wide box, no lubrication) are left out."""
+the second kind (a wide box, no lubrication) are left out, and kinds of one point."""
 import re
 import sys
 from deformablebodies import figures
@@ -33,7 +33,7 @@ def draw(panels, rows, key, x, look):
 rows = [r for r in records(sys.argv[1]) if not re.search(r"\.[a-zA-Z]+$", r["point"])]
 kinds = [(kind, Re, [r for r in rows if r["point"].startswith("%s.Re%s." % (kind, Re))])
          for kind in ("capsules", "fibres") for Re in ("0.1", "1", "10")]
-kinds = [k for k in kinds if k[2]]
+kinds = [k for k in kinds if len(k[2]) > 1]
 figure, axes = figures.plt.subplots(len(kinds), 4, figsize=(14, 3.4 * len(kinds) + 0.4), squeeze=False)
 for panels, (kind, Re, some) in zip(axes, kinds):
     if kind == "capsules":
