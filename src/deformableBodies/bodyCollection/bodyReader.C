@@ -112,9 +112,7 @@ void Foam::bodyReader::readFluid()
     const bool continues =
         mesh.time().value() > 0 &&
         dict_.getOrDefault<word>("restart", "continue") != "initial";
-    const bool keeps = system_.nu->isMean() || system_.adjustsStep() ||
-                       dict_.found("interactions");
-    if (!keeps || !continues || !bodyStateFile::read(mesh, saved, file)) return;
+    if (!continues || !bodyStateFile::read(mesh, saved, file)) return;
     const dictionary before(saved.subOrEmptyDict(bodyStateFile::allGroups));
     if (system_.nu->isMean() && before.found("nu"))
     {
