@@ -4,23 +4,38 @@
 #include "dictionaryChecks.H"
 
 Foam::stepRetries::stepRetries(Time& time, stepLimits& limits, lastStep& last,
-                               const label maxRetries)
+                               const label maxRetries, const string& obstacle)
     : time_(time),
       limits_(limits),
       last_(last),
       maxRetries_(
-          time.controlDict().getOrDefault<label>("maxRetries", maxRetries))
+          time.controlDict().getOrDefault<label>(
+              "maxRetries", obstacle.empty() ? maxRetries : label(0)))
 {
     if (maxRetries_ < 0 || maxRetries_ > 10)
     {
         refuse(time.controlDict(), "maxRetries", Foam::name(maxRetries_),
                "0 to 10");
     }
+    if (maxRetries_ > 0 && !obstacle.empty())
+    {
+        refuse(time.controlDict(), "maxRetries", Foam::name(maxRetries_),
+               "0, as " + obstacle);
+    }
+    limitSteps();
+}
+
+void Foam::stepRetries::limitSteps()
+{
+    const scalar most = last_.divided().limit;
+    if (!limits_.adjusted() || !(most < GREAT)) return;
+    limits_.set("retries", most, "last step that was taken back");
 }
 
 Foam::string Foam::stepRetries::inParts(const std::function<string()>& step)
 {
     const label n = last_.divided().subSteps;
+    last_.divided().parts = n;
     if (n == 1) return step();
     string wrong;
     time_.subCycle(n);
@@ -94,8 +109,8 @@ void Foam::stepRetries::recover()
     if (limits_.adjusted() && d.subSteps > 1)
     {
         d.limit = time_.deltaTValue() / d.subSteps;
+        limits_.setCourantNo(d.subSteps * limits_.CourantNo());
         d.subSteps = 1;
-        time_.setDeltaT(d.limit, false);
     }
     const bool divided = d.subSteps > 1 || d.limit < GREAT;
     if (divided && ++d.quiet >= d.pause)
@@ -104,10 +119,7 @@ void Foam::stepRetries::recover()
         if (d.subSteps > 1) d.subSteps /= 2;
         if (d.limit < GREAT) d.limit *= 2;
     }
-    if (divided && limits_.adjusted())
-    {
-        limits_.set("retries", d.limit, "last step that was taken back");
-    }
+    limitSteps();
 }
 
 void Foam::stepRetries::printCount() const

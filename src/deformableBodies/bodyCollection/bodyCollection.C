@@ -293,6 +293,7 @@ void Foam::bodyCollection::restore(const snapshot& s)
 bool Foam::bodyCollection::writeData(Ostream& os) const
 {
     state_->write(os, trouble_.any && !trouble_.outside());
+    if (system_.interactions) system_.interactions->outdate();
     output_->drawWritten();
     system_.effects.write();
     return os.good();

@@ -39,7 +39,10 @@ void Foam::bodyMotion::moveWithVelocity(const staggeredView& u,
                                         staggeredField& force)
 {
     const Time& time = system_.mesh.time();
-    const labelList groups(system_.groupsThat(forcingType::none));
+    label nActing;
+    const labelList groups(system_.groupsThat(forcingType::none, &nActing));
+    const SubList<label> acting(groups, nActing),
+        following(groups, groups.size() - nActing, nActing);
     markerValues markers;
     if (!system_.withoutFluid && groups.size())
     {
@@ -49,10 +52,13 @@ void Foam::bodyMotion::moveWithVelocity(const staggeredView& u,
         system_.markers->interpolate({u}, markers.U);
     }
     if (system_.contrast) updateViscosity(groups);
-    move(groups, markers, 0,
-         {time.value(), time.deltaTValue(), false, 1, &trouble_.unsteady});
+    const bodyStep step{time.value(), time.deltaTValue(), false, 1,
+                        &trouble_.unsteady};
+    move(acting, markers, 0, step);
     if (trouble_.any) return;
     if (system_.interactions) system_.interactions->update();
+    move(following, markers, system_.nMarkers(acting), step);
+    if (trouble_.any) return;
 
     const bodySystem::markerLoads loads(system_.loads(groups));
     const vector* F = loads.F.cdata();
@@ -206,7 +212,7 @@ void Foam::bodyMotion::move(const labelUList& groups,
     trouble_.share();
 
     // Markers in the flow move by at most 1.5 dt max |U|, with Adams-Bashforth
-    if (!interactions) return;
+    if (!interactions || groups.empty()) return;
     scalar fastest = markers.U.size() ? max(mag(markers.U)) : 0;
     for (const label g : groups)
     {

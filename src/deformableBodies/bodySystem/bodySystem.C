@@ -20,14 +20,18 @@ bool Foam::bodySystem::twoWay() const
     return false;
 }
 
-Foam::labelList Foam::bodySystem::groupsThat(const forcingType forcing) const
+Foam::labelList Foam::bodySystem::groupsThat(const forcingType forcing,
+                                            label* nTwoWay) const
 {
-    DynamicList<label> which;
+    DynamicList<label> acting, following;
     forAll(groups, g)
     {
-        if (groups[g].forcing() == forcing) which.append(g);
+        if (groups[g].forcing() != forcing) continue;
+        (groups[g].twoWay() ? acting : following).append(g);
     }
-    return labelList(std::move(which));
+    if (nTwoWay) *nTwoWay = acting.size();
+    acting.append(following);
+    return labelList(std::move(acting));
 }
 
 void Foam::bodySystem::begin()

@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "groupMeans.H"
+#include "axialMean.H"
 
 Foam::groupMeans::groupMeans(autoPtr<OFstream>&& file,
                              const std::vector<bodyColumn>& columns)
@@ -11,6 +12,7 @@ Foam::groupMeans::groupMeans(autoPtr<OFstream>&& file,
     {
         names += " " + c.name + " " + c.name + "Deviation";
         units += " [" + c.unit + "] [" + c.unit + "]";
+        angles_.append(c.unit == "degrees");
     }
     file_() << names.c_str() << nl << units.c_str() << endl;
     file_().precision(10);
@@ -18,26 +20,31 @@ Foam::groupMeans::groupMeans(autoPtr<OFstream>&& file,
 
 void Foam::groupMeans::write(const scalar time, const List<scalarList>& rows)
 {
-    scalarField sum, squares;
-    scalar n = 0;
+    DynamicList<const scalarList*> bodies;
     for (const scalarList& row : rows)
     {
-        if (row.empty()) continue;
-        sum.setSize(row.size(), Zero);
-        sum += row;
-        ++n;
+        if (row.size()) bodies.append(&row);
     }
+    const scalar n = bodies.size();
     if (n == 0) return;
-    sum /= n;
-    squares.setSize(sum.size(), Zero);
-    for (const scalarList& row : rows)
-    {
-        if (row.size()) squares += sqr(scalarField(row) - sum);
-    }
     file_() << time << ' ' << n;
-    forAll(sum, c)
+    forAll(angles_, c)
     {
-        file_() << ' ' << sum[c] << ' ' << Foam::sqrt(squares[c] / n);
+        scalar mean = 0, squares = 0;
+        axialMean lines;
+        for (const scalarList* row : bodies)
+        {
+            const axialMean line(axialMean::of((*row)[c]));
+            lines.cosine += line.cosine / n;
+            lines.sine += line.sine / n;
+            mean += (*row)[c] / n;
+        }
+        for (const scalarList* row : bodies)
+        {
+            squares += sqr((*row)[c] - mean) / n;
+        }
+        file_() << ' ' << (angles_[c] ? lines.value() : mean) << ' '
+                << (angles_[c] ? lines.deviation() : Foam::sqrt(squares));
     }
     file_() << endl;
 }

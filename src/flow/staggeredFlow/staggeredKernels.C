@@ -166,6 +166,9 @@ void Foam::staggeredFlow::diffuse()
         const auto timing(effects_.time("diffusion"));
         staggeredField& x = increment();
         diffusion_.solve({x[0].data(), x[1].data(), x[2].data()}, b, change);
+
+        // Walls that change add to their whole layer, other walls included
+        stopOnWalls();
     }
 
     const auto timing(effects_.time("momentum"));

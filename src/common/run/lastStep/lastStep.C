@@ -35,6 +35,7 @@ Foam::lastStep::lastStep(const Time& time)
 {
     const dictionary last(dictionaryOf(time, "lastStep"));
     last.readIfPresent("subSteps", division_.subSteps);
+    last.readIfPresent("parts", division_.parts);
     last.readIfPresent("quiet", division_.quiet);
     last.readIfPresent("pause", division_.pause);
     last.readIfPresent("limit", division_.limit);
@@ -45,6 +46,7 @@ void Foam::lastStep::writeDivision(Ostream& os) const
 {
     if (division_.pause == division().pause) return;
     os.writeEntry("subSteps", division_.subSteps);
+    os.writeEntry("parts", division_.parts);
     os.writeEntry("quiet", division_.quiet);
     os.writeEntry("pause", division_.pause);
     os.writeEntry("limit", division_.limit);
@@ -65,7 +67,7 @@ Foam::scalar Foam::lastStep::read(const Time& time)
 Foam::scalar Foam::lastStep::readSubStep(const Time& time)
 {
     return read(time) /
-           dictionaryOf(time, "lastStep").getOrDefault<label>("subSteps", 1);
+           dictionaryOf(time, "lastStep").getOrDefault<label>("parts", 1);
 }
 
 void Foam::lastStep::refuseDiverged(const Time& time)

@@ -84,6 +84,7 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
     {
         means_.restore(saved->get<scalarList>("sums"));
         lastTime_ = saved->get<scalar>("lastTime");
+        largestRate_ = saved->getOrDefault<scalar>("largestRate", 0);
     }
     const shearSides sides(shearSides::of(system.mesh));
     flowDirection_ = sides.flow;
@@ -149,7 +150,12 @@ void Foam::bulkStress::begin()
     if (!due(step) || begun_ == step) return;
     const auto timing(system_.effects.time("bulkStress"));
     const shearSides sides(shearSides::of(system_.mesh));
-    if (!isShear(sides)) return;
+    if (!isShear(sides))
+    {
+        // Sides that rest: the next line does not stand for this time
+        lastTime_ = system_.mesh.time().value();
+        return;
+    }
     begun_ = step;
     beginTime_ =
         system_.mesh.time().value() - system_.mesh.time().deltaTValue();

@@ -74,7 +74,8 @@ void Foam::bulkStress::writeState(Ostream& os) const
 {
     OStringStream text;
     text.precision(17);
-    text << "lastTime " << lastTime_ << token::END_STATEMENT << nl;
+    text << "lastTime " << lastTime_ << token::END_STATEMENT << nl
+         << "largestRate " << largestRate_ << token::END_STATEMENT << nl;
     writeNumbers(text, "sums", means_.state());
     os.writeEntry("columns", columns());
     os << text.str().c_str();

@@ -66,6 +66,16 @@ Foam::layerMeans::layerMeans(const uniformGrid& grid, const direction f,
         }
     }
     finish(cellsPerLayer(grid, g));
+
+    // Means of the lower faces, 0 on walls, to those of both faces of a layer
+    const vector lowest(u[0]), lowestSquares(squares[0]);
+    const label last = u.size() - 1;
+    forAll(u, j)
+    {
+        u[j][g] = 0.5 * (u[j][g] + (j < last ? u[j + 1] : lowest)[g]);
+        squares[j][g] = 0.5 * (squares[j][g] +
+                               (j < last ? squares[j + 1] : lowestSquares)[g]);
+    }
 }
 
 Foam::layerMeans::layerMeans(const uniformGrid& grid, const direction f,

@@ -5,6 +5,8 @@
 #include "interactionForce.H"
 #include "interactionState.H"
 #include "segmentDistance.H"
+#include <iomanip>
+#include <sstream>
 
 Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
                                          const fvMesh& mesh,
@@ -104,16 +106,25 @@ void Foam::bodyInteractions::compareBoxes()
     near_.compare(bodies, boxes);
 }
 
-Foam::scalar Foam::bodyInteractions::maxDeltaT()
+Foam::scalar Foam::bodyInteractions::pressed() const
 {
-    if (!hasForces_) compareBoxes();
-    if (!near_.any()) return GREAT;
-    scalar now = hasForces_ ? 0 : GREAT;
-    for (label b = 0; hasForces_ && b < near_.nBodies(); ++b)
+    if (!hasForces_) return pressedBefore_;
+    scalar now = 0;
+    for (label b = 0; near_.any() && b < near_.nBodies(); ++b)
     {
         now = max(now, 2 * points_.load(b));
     }
-    return models_.maxDeltaT(returnReduce(now, maxOp<scalar>()));
+    return returnReduce(now, maxOp<scalar>());
+}
+
+Foam::scalar Foam::bodyInteractions::maxDeltaT()
+{
+    const scalar now = pressed();
+    if (returnReduce(!hasForces_ || near_.isOld(), orOp<bool>()))
+    {
+        compareBoxes();
+    }
+    return near_.any() ? models_.maxDeltaT(now) : GREAT;
 }
 
 bool Foam::bodyInteractions::actOn(const label group, const label body) const
@@ -144,11 +155,17 @@ Foam::vector Foam::bodyInteractions::forceOn(const label group,
 
 Foam::string Foam::bodyInteractions::state() const
 {
-    return interactionState::write(models_, numbers_);
+    std::ostringstream os;
+    os << std::setprecision(17) << "    pressed " << pressed() << ";\n";
+    return os.str() + interactionState::write(models_, numbers_);
 }
 
 void Foam::bodyInteractions::readState(const dictionary& saved,
                                        const boolList& initial)
 {
+    if (!initial.found(true))
+    {
+        pressedBefore_ = saved.getOrDefault<scalar>("pressed", GREAT);
+    }
     interactionState::read(saved, initial, numbers_, models_, effects_);
 }

@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "groupStatistics.H"
+#include "axialMean.H"
 #include "mathematicalConstants.H"
 #include "OFstream.H"
 #include "periodicBox.H"
@@ -16,6 +17,7 @@ Foam::groupStatistics::groupStatistics(const bodyGroup& group,
       velocity_(columns_.find("velocityX")),
       axis_(columns_.find("axisX")),
       quantities_(namesOfQuantities()),
+      angles_(anglesAmong(quantities_.size())),
       means_(2 * quantities_.size()),
       distributions_(quantities_.size(), histogram(s.bins)),
       pairs_(grid, s.reach, s.bins, s.f, s.g)
@@ -53,6 +55,18 @@ Foam::wordList Foam::groupStatistics::namesOfQuantities() const
         all.append("velocityOverAlone");
     }
     return wordList(std::move(all));
+}
+
+Foam::boolList Foam::groupStatistics::anglesAmong(const label n) const
+{
+    boolList angles(n, false);
+    label c = 0;
+    for (const bodyColumn& column : group_.report().columns())
+    {
+        if (c >= 3) angles[c - 3] = column.unit == "degrees";
+        ++c;
+    }
+    return angles;
 }
 
 Foam::scalarList Foam::groupStatistics::quantities(const scalarList& row) const
@@ -99,9 +113,16 @@ void Foam::groupStatistics::add(const scalar time, const scalar dt,
         const scalarList q(quantities(row));
         forAll(q, i)
         {
+            distributions_[i].add(q[i], dt);
+            if (angles_[i])
+            {
+                const axialMean line(axialMean::of(q[i]));
+                sums[i] += line.cosine;
+                sums[n + i] += line.sine;
+                continue;
+            }
             sums[i] += q[i];
             sums[n + i] += sqr(q[i]);
-            distributions_[i].add(q[i], dt);
         }
     }
     if (centres.empty()) return;
@@ -167,7 +188,17 @@ void Foam::groupStatistics::writeMeans(Ostream& os) const
     forAll(quantities_, i)
     {
         const blockMeans::mean m(means_.of(i, 0)), squares(means_.of(n + i, 0));
-        os << quantities_[i] << ' ' << m.value << ' ' << m.error << ' '
+        os << quantities_[i] << ' ';
+        if (angles_[i])
+        {
+            const axialMean lines{m.value, squares.value};
+            const bool known = m.error >= 0 && squares.error >= 0;
+            os << lines.value() << ' '
+               << (known ? lines.error(m.error, squares.error) : -1) << ' '
+               << lines.deviation() << nl;
+            continue;
+        }
+        os << m.value << ' ' << m.error << ' '
            << Foam::sqrt(max(squares.value - sqr(m.value), scalar(0))) << nl;
         const label component = i - quantities_.find("axisXX");
         if (axis_ >= 0 && component >= 0 && component < 6)
@@ -214,14 +245,14 @@ void Foam::groupStatistics::writeConcentration(Ostream& os) const
     {
         const scalarList& c = concentration_[n];
         if (c[0] == 0) continue;
-        os << n << ' ' << (n + 1) / volume << ' ' << c[0] / all << ' '
+        os << n << ' ' << n / volume << ' ' << c[0] / all << ' '
            << c[1] / c[0] << ' ' << c[2] / c[0] << ' ' << c[3] / c[0] << nl;
     }
 }
 
 void Foam::groupStatistics::writeState(Ostream& os) const
 {
-    writeNumbers(os, "means", means_.state());
+    writeNumbers(os, "sums", means_.state());
     writeNumbers(os, "pairs", pairs_.state());
     forAll(quantities_, i)
     {
@@ -237,14 +268,19 @@ void Foam::groupStatistics::writeState(Ostream& os) const
 
 void Foam::groupStatistics::readState(const dictionary& dict)
 {
+    wordList needed({"sums"});
     for (const word& name : quantities_)
     {
-        if (dict.found("of." + name)) continue;
+        needed.append("of." + name);
+    }
+    for (const word& name : needed)
+    {
+        if (dict.found(name)) continue;
         Info << "Statistics begin anew: the state in " << dict.name()
              << " lacks " << name << nl;
         return;
     }
-    means_.restore(dict.get<scalarList>("means"));
+    means_.restore(dict.get<scalarList>("sums"));
     pairs_.restore(dict.get<scalarList>("pairs"));
     forAll(quantities_, i)
     {

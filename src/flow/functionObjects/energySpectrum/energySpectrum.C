@@ -6,6 +6,7 @@
 #include "fvOptions.H"
 #include "IOdictionary.H"
 #include "lowModeForcing.H"
+#include "resultFile.H"
 
 namespace Foam
 {
@@ -54,10 +55,12 @@ Foam::functionObjects::energySpectrum::energySpectrum(const word& name,
       grid_(uniformGrid::New(mesh_))
 {
     read(dict);
-    resetFile("turbulence");
     if (Pstream::master())
     {
-        file() << "# time kineticEnergy dissipation rms taylorLength ReLambda "
+        table_ = newResultFile(time, fileName(mesh_.dbDir()) / name,
+                               "turbulence.dat");
+        table_().precision(10);
+        table_() << "# time kineticEnergy dissipation rms taylorLength ReLambda "
                << "integralLength kolmogorovLength turnoverTime skewness "
                << "forcingPower" << endl;
     }
@@ -235,7 +238,7 @@ bool Foam::functionObjects::energySpectrum::execute()
     const scalar lambda = rms * Foam::sqrt(15 * nu_ / (dissipation + VSMALL));
     const scalar integral =
         0.75 * constant::mathematical::pi * inverseK / (total_ + VSMALL);
-    file() << time_.value() << tab << total_ << tab << dissipation << tab << rms
+    table_() << time_.value() << tab << total_ << tab << dissipation << tab << rms
            << tab << lambda << tab << rms * lambda / nu_ << tab << integral
            << tab << Foam::pow025(pow3(nu_) / (dissipation + VSMALL)) << tab
            << integral / (rms + VSMALL) << tab << skewed << tab << power
