@@ -53,7 +53,8 @@ class Case:
         return float(found[1]) if number.match(found[1]) else found[1]
 
     def pieces(self, function, name):
-        """Files of a function in postProcessing, one for each start of the run, in that order."""
+        """Files of a function in postProcessing, one for each start of the run or, of functionObjects
+        that sum up, for each write time, in that order."""
         files = glob.glob(glob.escape(self.path("postProcessing", function)) + "/*/" + name)
         return sorted(files, key=lambda file: float(os.path.basename(os.path.dirname(file))))
 
@@ -65,7 +66,7 @@ class Case:
         return Table.joined(files)
 
     def latest(self, function, name):
-        """The file of the latest start, of a function that sums up the whole run.
+        """The file of the latest time, of a function that sums up the whole run.
         FileNotFoundError: it has none."""
         files = self.pieces(function, name)
         if not files:
