@@ -85,6 +85,19 @@ def timeWeights(times):
     return (since / np.bincount(of))[of] if len(once) > 1 else np.ones(len(times))
 
 
+def meanAndError(values, weights):
+    """Mean of a series and its standard error: the largest of those by 8, 16, 32 and 64 blocks of equal
+    weight, as blocks that are too short follow each other."""
+    ends = np.cumsum(weights)
+    errors = []
+    for n in (8, 16, 32, 64):
+        of = np.minimum((n * (ends - 0.5 * weights) / ends[-1]).astype(int), n - 1)
+        sums, weight = (np.bincount(of, x, n) for x in (values * weights, weights))
+        if weight.all():
+            errors.append((sums / weight).std(ddof=1) / np.sqrt(n))
+    return (values * weights).sum() / ends[-1], max(errors, default=-1)
+
+
 def records(file):
     """Rows of a .csv file as dictionaries of words by column; lines that begin with # are left out."""
     with open(file) as f:

@@ -5,8 +5,8 @@ from deformablebodies.tables import records
 
 rows = records(sys.argv[1])
 panels = (("velocity", "mean velocity/that of one alone"), ("clustering", "variance of the neighbours/their mean"),
-          ("deviation", "deviation of the velocity/that of one alone"), ("beside", "pairs beside each other/at random"))
-figure, axes = figures.columns(4, width=3.5)
+          ("deviation", "deviation of the velocity/that of one alone"))
+figure, axes = figures.columns(3, width=3.5)
 for stiffness, colour in (("1", figures.black), ("0.01", figures.blue)):
     for wide, mark in ((False, "o-"), (True, "s")):
         some = sorted((r for r in rows if r["point"].startswith(stiffness + ".") and r["point"].endswith("wide") == wide),

@@ -15,22 +15,19 @@ def box():
 def row(name, alone):
     """A line of the table. Velocities are over that of one fibre alone; clustering is the variance
     of the number of other centres within half a length over its mean, random that of centres
-    anywhere; few and many are the velocities of fibres with the fewest and the most others;
-    beside and above are pairs of centres over those at random within a tenth of a length."""
-    one = -Case(alone).means("statistics", "fibres")["velocityY"][0]
+    anywhere; few and many are the velocities of fibres with the fewest and the most others."""
+    one, oneError, _ = Case(alone).means("statistics", "fibres")["velocityY"]
     now = case.means("statistics", "fibres")
-    velocity, error, deviation = (x / one for x in now["velocityY"])
+    velocity, error, deviation = now["velocityY"]
+    error = np.hypot(error / one, velocity * oneError / one**2) if min(error, oneError) >= 0 else -1
+    velocity, deviation, one = velocity / one, deviation / abs(one), -one
     others, _, probability, _, vy, _ = Table(case.latest("statistics", "fibres.concentration.dat")).rows.T
     mean = (others * probability).sum()
     clustering = ((others - mean)**2 * probability).sum() / mean
     common = np.flatnonzero(probability > 0.01)
     few, many = (-vy[common[k]] / one for k in (0, -1))
-    pairs = Table(case.latest("statistics", "fibres.pairs.dat"))
-    near = pairs["r"] < 0.25
-    beside = 0.5 * (pairs["gX"] + pairs["gZ"])[near].mean()
     number = case.entry("fibres")
     volume = box().prod()
-    values = [number * np.pi / 4 / case.entry("ratio")**2 / volume, case.entry("stiffness"), -velocity, error,
-              deviation, few, many, clustering, 1 - np.pi / 6 / volume, beside, pairs["gY"][near].mean(),
-              now["axisYY"][0], seconds()]
+    values = [number * np.pi / 4 / case.entry("ratio")**2 / volume, case.entry("stiffness"), velocity, error,
+              deviation, few, many, clustering, 1 - np.pi / 6 / volume, now["axisYY"][0], seconds()]
     return name + "," + ",".join("%.5g" % v for v in values)

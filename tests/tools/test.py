@@ -19,7 +19,7 @@ import stabilityMap
 import theory
 import vtp
 from deformablebodies import Case, Table
-from deformablebodies.tables import records
+from deformablebodies.tables import meanAndError, records
 
 
 def near(a, b, tolerance=1e-12):
@@ -353,6 +353,17 @@ def noiseIsWithinItsAmplitude():
     fields.addNoise("U", 0.1)
     V = fields.field("U")
     assert 0.01 < abs(V - U).max() < 0.1
+
+
+def errorsOfSeriesKnowThatTheyFollow():
+    # Noise that each value keeps 0.98 of: its mean has 10 times the error of as many free ones
+    random, x = np.random.default_rng(5), [0.0]
+    for noise in random.normal(size=20000):
+        x.append(0.98 * x[-1] + np.sqrt(1 - 0.98**2) * noise)
+    mean, error = meanAndError(3 + np.array(x), np.ones(len(x)))
+    assert abs(mean - 3) < 4 * error and 0.05 < error < 0.15, (mean, error)
+    mean, error = meanAndError(np.array([1.0, 3.0] * 500), np.array([3.0, 1.0] * 500))
+    near(mean, 1.5)
 
 
 def programsTakeMemory():
