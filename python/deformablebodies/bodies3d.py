@@ -286,7 +286,10 @@ def suspension(case, picture, radius=None):
     each has a colour, in the order of their names."""
     from . import figures
     view = View(case)
-    groups = case.groups()
+
+    # Groups that a run has no longer may have pictures of earlier times
+    last = max(case.pictures(group)[-1][0] for group in case.groups())
+    groups = [group for group in case.groups() if case.pictures(group)[-1][0] >= (1 - 1e-9) * last]
     kinds = {group: read(case.pictures(group)[-1][1]) for group in groups}
     fibres = [group for group in groups if kinds[group].GetNumberOfLines()]
     shades = figures.shades(fibres) if len(fibres) > 1 else {}
@@ -296,7 +299,7 @@ def suspension(case, picture, radius=None):
         view.add(group, colour=shades[group][:3] if group in shades else None, radius=radius,
                  opacity=opacity if membrane else 1)
     view.outline()
-    view.text("t = %g" % case.pictures(groups[0])[-1][0], 0.02, 0.02)
+    view.text("t = %g" % last, 0.02, 0.02)
     if view.title:
         view.bar()
     sides = box(case)

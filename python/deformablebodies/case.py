@@ -97,9 +97,9 @@ class Case:
         if not len(table):
             return {}
         # Averages are written with the fields, at the last sample before these
-        written = self.times()
+        written = self.times(ranks=True)
         samples = self.stress()["time"]
-        if written:
+        if written and float(written[-1]) > 0:
             samples = samples[samples < 1.000001 * float(written[-1])]
         ended = not len(samples) or table["time"][-1] >= 0.999 * samples[-1]
         return table.last() if ended else {}
@@ -126,9 +126,10 @@ class Case:
         from .bodies3d import points
         return [(time, points(file)) for time, file in self.pictures(group)]
 
-    def times(self):
-        """Times whose fields were written, in their order."""
-        names = (name for name in os.listdir(self.folder) if number.match(name))
+    def times(self, ranks=False):
+        """Times whose fields were written, in their order. ranks: also those that ranks have."""
+        folders = [self.folder] + (glob.glob(self.path("processor*"))[:1] if ranks else [])
+        names = {name for folder in folders for name in os.listdir(folder) if number.match(name)}
         return sorted(names, key=float)
 
     def field(self, name, time=None):

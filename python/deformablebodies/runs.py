@@ -275,6 +275,11 @@ class Runs:
                 self.places = {g: "%s/constant/%sPlaces" % (folder, g) for g in groups}
         return self.places
 
+    def placesChange(self, group, changes):
+        """True if the placement of a group uses a variable that is changed."""
+        text = dictionary(self.case + "/constant/deformableBodies", "-entry", "bodies/%s/placement" % group) or ""
+        return any(re.search(r"\$\{?%s\b" % re.escape(re.split("[:/]", name)[-1]), text) for name, _ in changes)
+
     def once(self, folder, changes):
         """Core seconds of the solver on a copy of the case with changes."""
         shutil.rmtree(folder, ignore_errors=True)
@@ -282,6 +287,8 @@ class Runs:
         if not any("placement" in name for name, _ in changes):
             bodies = "constant/deformableBodies"
             for group, file in self.placesOfCase().items():
+                if self.placesChange(group, changes):
+                    continue
                 put(folder, bodies, "bodies/%s/placesFrom" % group, '"%s"' % file)
                 change(folder, "%s:bodies/%s/placement" % (bodies, group), None)
                 text = open(os.path.join(folder, bodies)).read()

@@ -71,7 +71,7 @@ void Foam::bodyMotion::moveWithVelocity(const staggeredView& u,
     if (!returnReduce(loads.X.size(), maxOp<label>())) return;
     const auto spreading(system_.effects.time("spreading"));
     system_.markers->setPositions(loads.X);
-    system_.markers->spread(loads.F, perMass(force, loads.F));
+    system_.markers->spread(loads.F, perMass(force, loads.F, groups));
 }
 
 void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p)
@@ -104,7 +104,7 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p)
         if (some->empty()) continue;
         const scalar fraction = impulseFractionOf(
             system_.groups[some->first()].forcing(), p.diffusionNumber);
-        if (!p.isOfLastStep) predict(p, fraction, change(), markers);
+        if (!p.isOfLastStep) predict(p, fraction, change(), groups, markers);
         move(*some, markers, first,
              {time.value(), time.deltaTValue(), !p.isOfLastStep, fraction,
               &trouble_.unsteady});
@@ -116,21 +116,22 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p)
     const auto timing(system_.effects.time("spreading"));
     for (const staggeredTarget& force : p.force)
     {
-        system_.markers->spread(last, perMass(force, last));
+        system_.markers->spread(last, perMass(force, last, groups));
     }
 }
 
 void Foam::bodyMotion::predict(const velocityPrediction& p,
                                const scalar fraction, const vectorField& change,
-                               markerValues& markers)
+                               const labelUList& groups, markerValues& markers)
 {
     const auto timing(system_.effects.time("spreading"));
     for (label i = 1; i < p.force.size(); ++i)
     {
-        system_.markers->spread(change, perMass(p.force[i], change));
+        system_.markers->spread(change, perMass(p.force[i], change, groups));
     }
-    system_.markers->spreadAndInterpolate(change, perMass(p.force[0], change),
-                                          p.after(fraction), markers.U);
+    system_.markers->spreadAndInterpolate(
+        change, perMass(p.force[0], change, groups), p.after(fraction),
+        markers.U);
 }
 
 Foam::bodyMotion::markerValues
@@ -221,14 +222,32 @@ void Foam::bodyMotion::move(const labelUList& groups,
     interactions->travel(1.5 * step.dt * fastest);
 }
 
+Foam::vector Foam::bodyMotion::unbalanced(const vectorField& F,
+                                          const labelUList& groups) const
+{
+    const bool driven = system_.isDriven();
+    vector all(Zero);
+    label first = 0;
+    for (const label g : groups)
+    {
+        const bodyGroup& group = system_.groups[g];
+        if (!group.twoWay()) continue;
+        const label n = group.nMarkers();
+        if (!driven || !group.isHeld()) all += sum(SubField<vector>(F, n, first));
+        first += n;
+    }
+    return returnReduce(all, sumOp<vector>());
+}
+
 Foam::staggeredTarget Foam::bodyMotion::perMass(const staggeredTarget& force,
-                                                const vectorField& F) const
+                                                const vectorField& F,
+                                                const labelUList& groups) const
 {
     staggeredTarget target(force);
     target.factor /= system_.rho;
     if (system_.periodicBox())
     {
-        addUniform(-target.factor * gSum(F) / system_.grid.volume(),
+        addUniform(-target.factor * unbalanced(F, groups) / system_.grid.volume(),
                    system_.grid.box().size, force);
     }
     return target;

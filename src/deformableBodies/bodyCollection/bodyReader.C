@@ -222,6 +222,14 @@ void Foam::bodyReader::readLoads()
         system_.forces.append(
             bodyForce::New(load, system_.groups[g].points(-1)).ptr());
         system_.effects.declare(system_.forces.last().effect(), true, name);
+        if (system_.forces.last().looksAtStart() &&
+            system_.groups[g].start().directions.size())
+        {
+            refuse(load, "type", load.get<word>("type"),
+                   "loads of other types on a group with directions or "
+                   "placement: its patches are those of bodies that are not "
+                   "turned (positions alone)");
+        }
         if (!system_.groups[g].takesForces())
         {
             refuse(load, "group", group,

@@ -3,6 +3,7 @@
 #include "bodyState.H"
 #include "bodyWriter.H"
 #include "dictionaryChecks.H"
+#include "functionObject.H"
 #include <iomanip>
 #include <sstream>
 
@@ -119,6 +120,10 @@ Foam::bodyState::origins(const IOdictionary& dict) const
         wanted[g] = host < 0
                         ? readEnum(words, dictionaryOf(g, dict), "restart", all)
                         : wanted[host];
+
+        // Pictures of a run are of its states
+        const bool other = wanted[g] == origin::DICTIONARY;
+        if (functionObject::postProcess && other) wanted[g] = origin::STATE;
     }
     return wanted;
 }

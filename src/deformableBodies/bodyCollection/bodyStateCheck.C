@@ -30,6 +30,11 @@ void Foam::bodyState::checkGroups(const IOdictionary& dict,
     const wordList removed(dict.getOrDefault<wordList>("removed", wordList()));
     for (const word& name : removed)
     {
+        if (dict.subDict("bodies").found(name))
+        {
+            refuse(dict, "removed", name,
+                   "groups that bodies {...} has no longer");
+        }
         if (removed_.found(name)) continue;
         wordList others;
         for (const word& other : saved.toc())

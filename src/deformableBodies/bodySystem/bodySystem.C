@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "bodySystem.H"
+#include "fvOptions.H"
 
 Foam::bodySystem::bodySystem(const fvMesh& mesh, const bool solverBalances)
     : mesh(mesh),
@@ -91,6 +92,23 @@ void Foam::bodySystem::spreadLoads(const labelUList& which,
     const auto timing(effects.time("spreading"));
     markers->setPositions(all.X);
     markers->spread(all.F, faces);
+}
+
+bool Foam::bodySystem::isDriven() const
+{
+    const auto* options = mesh.cfindObject<fv::options>(fv::options::typeName);
+    if (!options) return false;
+    const wordList drive({"meanVelocityForce", "patchMeanVelocityForce",
+                          "vectorSemiImplicitSource", "vectorCodedSource"});
+    for (const fv::option& o :
+         static_cast<const PtrList<fv::option>&>(*options))
+    {
+        if (drive.found(o.type()) && o.active() && o.applyToField("U") >= 0)
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 bool Foam::bodySystem::adjustsStep() const

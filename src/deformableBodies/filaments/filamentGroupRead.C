@@ -106,6 +106,7 @@ void Foam::filamentGroup::readEnds(const dictionary& dict)
             refuse(dict, "ends", ends[e], "two of free hinged clamped");
         }
         properties_.ends[e] = endNames[ends[e]];
+        held_ = held_ || properties_.ends[e] != filament::FREE;
     }
     if (!dict.found("baseMotion")) return;
     const dictionary& motion = readDict(

@@ -27,7 +27,8 @@ void Foam::rigidGroup::markers(vector* X, const scalar dt)
         }
         else
         {
-            x.X += (rotationBy(dt * x.angularVelocity) * x.turn).R() & markers_;
+            x.expectedTurn = rotationBy(dt * x.angularVelocity) * x.turn;
+            x.X += x.expectedTurn.R() & markers_;
         }
         X = std::copy(x.X.begin(), x.X.end(), X);
     }
@@ -161,7 +162,7 @@ void Foam::rigidGroup::step(body& x, const surroundings& around,
         sqr(shape_.radius()) * scene_.rho / (20.2 * scene_.mu),
         meanNearMobility_};
     const vectorField r(x.X - x.expected);
-    const tensor R(isSphere() ? tensor::I : x.turn.R());
+    const tensor R(isSphere() ? tensor::I : x.expectedTurn.R());
     const vectorField w(R & perVolume_);
     const rigidStep step(properties, s.dt, r, around.U, around.gains, w);
 

@@ -95,6 +95,7 @@ void Foam::rigidGroup::readMotion(const dictionary& dict)
     if (dict.found("velocity"))
     {
         velocity_ = Function1<vector>::New("velocity", dict);
+        held_ = true;
     }
     if (dict.found("angularVelocity"))
     {

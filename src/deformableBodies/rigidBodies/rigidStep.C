@@ -88,6 +88,26 @@ Foam::rigidStep::answer Foam::rigidStep::solve(const motion& m,
                                                const load& given) const
 {
     const tensor inertia(turned(body_.inertia, m.turn));
+    const vector& spin = m.angularVelocity;
+    const answer first(solve(m, forces, given, inertia,
+                             body_.densityRatio * (spin ^ (inertia & spin))));
+    const scalar apart = cmptMax(body_.inertia) - cmptMin(body_.inertia);
+    if (apart <= SMALL * cmptMax(body_.inertia)) return first;
+    return solve(m, forces, given,
+                 turned(body_.inertia, after(m, first.angularVelocity)), Zero);
+}
+
+Foam::quaternion Foam::rigidStep::after(const motion& m, const vector& W) const
+{
+    return rotationBy(0.5 * dt_ * (m.angularVelocity + W)) * m.turn;
+}
+
+Foam::rigidStep::answer
+Foam::rigidStep::solve(const motion& m, const vectorField& forces,
+                       const load& given, const tensor& lastInertia,
+                       const vector& gyroscopic) const
+{
+    const tensor firstInertia(turned(body_.inertia, m.turn));
     const scalar ratio = body_.densityRatio;
     const scalar relaxed = dt_ / (body_.relaxation + dt_);
 
@@ -100,7 +120,7 @@ Foam::rigidStep::answer Foam::rigidStep::solve(const motion& m,
         torque += r_[k] ^ f;
     }
 
-    const tensor J((ratio - relaxed) / dt_ * inertia + torqueOfSpin_);
+    const tensor J((ratio - relaxed) / dt_ * lastInertia + torqueOfSpin_);
     const tensor cross(0, -lever_.z(), lever_.y(), lever_.z(), 0, -lever_.x(),
                        -lever_.y(), lever_.x(), 0); // cross & V = lever x V
     const scalar resistance =
@@ -109,9 +129,8 @@ Foam::rigidStep::answer Foam::rigidStep::solve(const motion& m,
                       innerMass_ * sum(forces) +
                       (1 + innerMass_) * (addedGain_ * innerVelocity_ - force));
     const vector twist(
-        given.torque + ratio / dt_ * (inertia & m.angularVelocity) -
-        ratio * (m.angularVelocity ^ (inertia & m.angularVelocity)) -
-        relaxed / dt_ * m.innerAngularMomentum - torque);
+        given.torque + ratio / dt_ * (firstInertia & m.angularVelocity) -
+        gyroscopic - relaxed / dt_ * m.innerAngularMomentum - torque);
     matrix A(matrix::Zero());
     column b;
     for (direction i = 0; i < 3; ++i)
@@ -130,7 +149,7 @@ Foam::rigidStep::answer Foam::rigidStep::solve(const motion& m,
     prescribe(A, b, 3, given.angularVelocity);
     const column y(A.partialPivLu().solve(b));
     return {vector(y[0], y[1], y[2]), vector(y[3], y[4], y[5]),
-            given.velocity ? 0 : 1 / resistance};
+            given.velocity ? 0 : 1 / resistance, lastInertia};
 }
 
 void Foam::rigidStep::advance(motion& m, vectorField& forces,
@@ -146,10 +165,10 @@ void Foam::rigidStep::advance(motion& m, vectorField& forces,
     {
         forces[k] += addedGain_ * (r_[k] & (V - innerVelocity_)) * w_[k];
     }
-    const tensor inertia(turned(body_.inertia, m.turn));
     const scalar relaxed = dt_ / (body_.relaxation + dt_);
-    m.innerAngularMomentum += relaxed * ((inertia & W) - m.innerAngularMomentum);
-    m.turn = rotationBy(0.5 * dt_ * (m.angularVelocity + W)) * m.turn;
+    m.innerAngularMomentum +=
+        relaxed * ((y.inertia & W) - m.innerAngularMomentum);
+    m.turn = after(m, W);
     m.turn /= mag(m.turn);
     m.centre += 0.5 * dt_ * (m.velocity + V);
     m.velocity = V;

@@ -166,6 +166,18 @@ void Foam::flowAlgorithm::checkControls(const dictionary& controls,
     }
     if (!staggered())
     {
+        for (const word name : {"timeScheme", "diffusion"})
+        {
+            if (!controls.found(name)) continue;
+            IOWarningInFunction(controls)
+                << "entry " << name << " has no effect with flowAlgorithm "
+                << "pimple: its schemes are those of system/fvSchemes" << endl;
+        }
+        if (!controls.getOrDefault<bool>("convection", true))
+        {
+            refuse(controls, "convection", "off",
+                   "on with flowAlgorithm pimple, which always has that term");
+        }
         if (bodies) judgeCorrectors(controls);
         return;
     }

@@ -44,7 +44,7 @@ double raisedHeight(const int i, const double raised)
 }
 
 //- Transform of the kernel
-double transform(const deltaKernel& kernel, const double k)
+double kernelTransform(const deltaKernel& kernel, const double k)
 {
     const int n = 400;
     const double step = kernel.reach() / n;
@@ -187,7 +187,7 @@ responses surplus(const deltaKernel& kernel, const double k, const double c)
         const column mesh(top + 2 * away, kx, kz);
         const double factor =
             8 * pi / (nAngles * nPlaces) *
-            sqr(transform(kernel, kx) * transform(kernel, kz));
+            sqr(kernelTransform(kernel, kx) * kernelTransform(kernel, kz));
         for (int i = 0; i < nPlaces; ++i)
         {
             const double raised = 0.5 * ((i + 0.5) / nPlaces - 0.5);
@@ -212,7 +212,7 @@ void Foam::wallImage::fill(const deltaKernel& kernel)
 
     // Half the second moment of the kernel, by its transform
     const double little = 0.01;
-    const double c = (1 - transform(kernel, little)) / sqr(little);
+    const double c = (1 - kernelTransform(kernel, little)) / sqr(little);
 
     // Midpoints of intervals that grow with k
     const int nWaves = 128;

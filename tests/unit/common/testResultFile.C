@@ -2,6 +2,7 @@
 
 #include "resultFile.H"
 #include "IFstream.H"
+#include "OFstream.H"
 #include "OSspecific.H"
 #include "unitTest.H"
 
@@ -26,5 +27,21 @@ TEST(ResultFile, earlierResultsAreKept)
     EXPECT_EQ(content("a.dat.1"), 1);
     EXPECT_EQ(content("a.dat.2"), 2);
     EXPECT_EQ(content("a.dat"), 3);
+    rmDir(folder);
+}
+
+TEST(ResultFile, runsThatBeganLaterAreKeptAside)
+{
+    if (!Pstream::master()) return;
+    const Time& time = test::mesh().time();
+    const fileName folder(time.globalPath() / "postProcessing" / "later");
+    rmDir(folder, true);
+    mkDir(folder / "5");
+    OFstream(folder / "5" / "a.dat")() << 1 << endl;
+    OFstream(folder / "5" / "b.dat")() << 1 << endl;
+    newResultFile(time, "later", "a.dat")() << 2 << endl;
+    EXPECT_FALSE(isFile(folder / "5" / "a.dat"));
+    EXPECT_TRUE(isFile(folder / "5" / "a.dat.1"));
+    EXPECT_TRUE(isFile(folder / "5" / "b.dat"));
     rmDir(folder);
 }

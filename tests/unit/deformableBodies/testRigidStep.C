@@ -125,3 +125,29 @@ TEST(RigidStep, lightBodiesAnswerMoreToTheFluidInside)
     s.step().advance(m, s.forces, {Zero, Zero, &held, &held});
     EXPECT_LT(max(mag(s.forces + s.gain * s.U)), 1e-12);
 }
+
+// Without a fluid: markers without gain do not feel it, and nearly all of the mass is the body's
+TEST(RigidStep, freeEllipsoidKeepsItsAngularMomentum)
+{
+    scene s;
+    s.body = {1000, 3, vector(5, 5, 2), 0.7, 0};
+    s.gain = 1e-12;
+    s.U = Zero;
+    s.dt = 0.02;
+    rigidStep::motion m(atRest());
+    m.angularVelocity = vector(0.6, 0.1, 0.9);
+    const auto momentum = [&]()
+    {
+        const tensor R(m.turn.R());
+        return R & (tensor(5, 0, 0, 0, 5, 0, 0, 0, 2) & (R.T() & m.angularVelocity));
+    };
+    const vector L(momentum());
+    const scalar energy = L & m.angularVelocity;
+    for (label i = 0; i < 1000; ++i)
+    {
+        vectorField forces(6, Zero);
+        s.step().advance(m, forces, none);
+    }
+    EXPECT_LT(mag(momentum() - L), 5e-3 * mag(L));
+    EXPECT_LT(mag((momentum() & m.angularVelocity) / energy - 1), 5e-3);
+}

@@ -1,7 +1,28 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "resultFile.H"
+#include "functionObject.H"
 #include "OSspecific.H"
+
+namespace
+{
+using namespace Foam;
+
+//- Rename a file that is there
+void keepAside(const Time& time, const fileName& file)
+{
+    if (!isFile(file, false)) return;
+    label n = 1;
+    while (isFile(file + "." + Foam::name(n), false))
+    {
+        ++n;
+    }
+    const fileName kept(file + "." + Foam::name(n));
+    mv(file, kept);
+    Info << time.relativePath(file).c_str() << " of an earlier run is kept as "
+         << kept.name() << endl;
+}
+} // namespace
 
 Foam::autoPtr<Foam::OFstream>
 Foam::newResultFile(const Time& time, const fileName& folder, const word& name)
@@ -10,17 +31,14 @@ Foam::newResultFile(const Time& time, const fileName& folder, const word& name)
                        Time::timeName(time.startTime().value()));
     mkDir(dir);
     const fileName file(dir / name);
-    if (isFile(file, false))
+    keepAside(time, file);
+    if (!functionObject::postProcess)
     {
-        label n = 1;
-        while (isFile(file + "." + Foam::name(n), false))
+        for (const instant& later : Time::findTimes(dir.path()))
         {
-            ++n;
+            if (later.value() <= time.startTime().value() * (1 + SMALL)) continue;
+            keepAside(time, dir.path() / later.name() / name);
         }
-        const fileName kept(file + "." + Foam::name(n));
-        mv(file, kept);
-        Info << time.relativePath(file).c_str()
-             << " of an earlier run is kept as " << kept.name() << endl;
     }
     return autoPtr<OFstream>(new OFstream(file));
 }

@@ -9,17 +9,19 @@ namespace
 using namespace Foam;
 const scalar pi = constant::mathematical::pi;
 
-//- Weight and loads of the first body of a group [N]: largest at nine times
+//- Weight and loads of the first body of a group [N]: largest at the start and at a hundred
+//  times of the run, which have no period in common with a load (golden ratio)
 scalar weightAndLoads(const bodyPoints& p, const word& group,
                       const bodyScene& scene, const scalar startTime)
 {
     scalar largest = 0;
-    for (label i = 0; i <= 8 && scene.forces.actOn(group, 0); ++i)
+    for (label i = 0; i <= 100 && scene.forces.actOn(group, 0); ++i)
     {
         vectorField F(p.positions.size(), Zero);
         scene.forces.add(
             group, 0, [&]() { return p; },
-            startTime + 0.125 * i * scene.duration, scene.effects, F);
+            startTime + (0.61803399 * i - label(0.61803399 * i)) * scene.duration,
+            scene.effects, F);
         largest = max(largest, max(mag(sum(F)), 0.5 * sum(mag(F))));
     }
     return largest;
@@ -43,8 +45,9 @@ Foam::contactLoad Foam::contactLoad::of(const PtrList<bodyGroup>& groups,
         load.mass = (p.densityRatio + 0.5) * scene.rho * volume;
         for (label soft = g; soft >= 0; soft = groups[soft].host())
         {
-            load.softness =
-                min(load.softness, groups[soft].points(-1).stiffness / size);
+            const scalar stiffness = groups[soft].points(-1).stiffness;
+            if (stiffness < GREAT)
+                load.softness = min(load.softness, stiffness / size);
         }
     }
     else
