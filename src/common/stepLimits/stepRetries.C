@@ -8,9 +8,8 @@ Foam::stepRetries::stepRetries(Time& time, stepLimits& limits, lastStep& last,
     : time_(time),
       limits_(limits),
       last_(last),
-      maxRetries_(
-          time.controlDict().getOrDefault<label>(
-              "maxRetries", obstacle.empty() ? maxRetries : label(0)))
+      maxRetries_(time.controlDict().getOrDefault<label>(
+          "maxRetries", obstacle.empty() ? maxRetries : label(0)))
 {
     if (maxRetries_ < 0 || maxRetries_ > 10)
     {

@@ -129,9 +129,9 @@ void Foam::bodyMotion::predict(const velocityPrediction& p,
     {
         system_.markers->spread(change, perMass(p.force[i], change, groups));
     }
-    system_.markers->spreadAndInterpolate(
-        change, perMass(p.force[0], change, groups), p.after(fraction),
-        markers.U);
+    system_.markers->spreadAndInterpolate(change,
+                                          perMass(p.force[0], change, groups),
+                                          p.after(fraction), markers.U);
 }
 
 Foam::bodyMotion::markerValues
@@ -233,7 +233,8 @@ Foam::vector Foam::bodyMotion::unbalanced(const vectorField& F,
         const bodyGroup& group = system_.groups[g];
         if (!group.twoWay()) continue;
         const label n = group.nMarkers();
-        if (!driven || !group.isHeld()) all += sum(SubField<vector>(F, n, first));
+        if (!driven || !group.isHeld())
+            all += sum(SubField<vector>(F, n, first));
         first += n;
     }
     return returnReduce(all, sumOp<vector>());
@@ -247,7 +248,8 @@ Foam::staggeredTarget Foam::bodyMotion::perMass(const staggeredTarget& force,
     target.factor /= system_.rho;
     if (system_.periodicBox())
     {
-        addUniform(-target.factor * unbalanced(F, groups) / system_.grid.volume(),
+        addUniform(-target.factor * unbalanced(F, groups) /
+                       system_.grid.volume(),
                    system_.grid.box().size, force);
     }
     return target;

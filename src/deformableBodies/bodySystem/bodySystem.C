@@ -22,7 +22,7 @@ bool Foam::bodySystem::twoWay() const
 }
 
 Foam::labelList Foam::bodySystem::groupsThat(const forcingType forcing,
-                                            label* nTwoWay) const
+                                             label* nTwoWay) const
 {
     DynamicList<label> acting, following;
     forAll(groups, g)

@@ -102,10 +102,11 @@ Foam::quaternion Foam::rigidStep::after(const motion& m, const vector& W) const
     return rotationBy(0.5 * dt_ * (m.angularVelocity + W)) * m.turn;
 }
 
-Foam::rigidStep::answer
-Foam::rigidStep::solve(const motion& m, const vectorField& forces,
-                       const load& given, const tensor& lastInertia,
-                       const vector& gyroscopic) const
+Foam::rigidStep::answer Foam::rigidStep::solve(const motion& m,
+                                               const vectorField& forces,
+                                               const load& given,
+                                               const tensor& lastInertia,
+                                               const vector& gyroscopic) const
 {
     const tensor firstInertia(turned(body_.inertia, m.turn));
     const scalar ratio = body_.densityRatio;

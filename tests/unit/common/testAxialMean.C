@@ -36,6 +36,6 @@ TEST(axialMean, anglesCloseTogetherAsNumbers)
 
     // A change of cosine and sine by that of an angle of 0.5 degrees
     const scalar change = 2 * degToRad(0.5);
-    EXPECT_NEAR(lines.error(change * mag(lines.sine), change * lines.cosine), 0.5,
-                0.02);
+    EXPECT_NEAR(lines.error(change * mag(lines.sine), change * lines.cosine),
+                0.5, 0.02);
 }

@@ -9,7 +9,8 @@ using namespace Foam;
 TEST(layerMeans, velocityAcrossTheLayersIsOfTheirMiddles)
 {
     const label n = 8;
-    test::box box(labelVector(4, n, 4), vector(1, 1, 1), {false, true, false}, 1);
+    test::box box(labelVector(4, n, 4), vector(1, 1, 1), {false, true, false},
+                  1);
     box.start([](const point& x) { return vector(0, x.y() * (1 - x.y()), 0); });
     const auto flow = box.flow("");
     const layerMeans means(uniformGrid::New(box.mesh()), 0, 1,

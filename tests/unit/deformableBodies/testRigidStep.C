@@ -139,7 +139,8 @@ TEST(RigidStep, freeEllipsoidKeepsItsAngularMomentum)
     const auto momentum = [&]()
     {
         const tensor R(m.turn.R());
-        return R & (tensor(5, 0, 0, 0, 5, 0, 0, 0, 2) & (R.T() & m.angularVelocity));
+        return R & (tensor(5, 0, 0, 0, 5, 0, 0, 0, 2) &
+                    (R.T() & m.angularVelocity));
     };
     const vector L(momentum());
     const scalar energy = L & m.angularVelocity;

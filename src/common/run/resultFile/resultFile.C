@@ -34,10 +34,14 @@ Foam::newResultFile(const Time& time, const fileName& folder, const word& name)
     keepAside(time, file);
     if (!functionObject::postProcess)
     {
-        for (const instant& later : Time::findTimes(dir.path()))
+        // Not by the file handler, which may want all ranks
+        const scalar start = time.startTime().value();
+        for (const fileName& other : readDir(dir.path(), fileName::DIRECTORY))
         {
-            if (later.value() <= time.startTime().value() * (1 + SMALL)) continue;
-            keepAside(time, dir.path() / later.name() / name);
+            scalar began;
+            if (!readScalar(other.c_str(), began)) continue;
+            if (began > start * (1 + SMALL))
+                keepAside(time, dir.path() / other / name);
         }
     }
     return autoPtr<OFstream>(new OFstream(file));

@@ -20,7 +20,8 @@ scalar weightAndLoads(const bodyPoints& p, const word& group,
         vectorField F(p.positions.size(), Zero);
         scene.forces.add(
             group, 0, [&]() { return p; },
-            startTime + (0.61803399 * i - label(0.61803399 * i)) * scene.duration,
+            startTime +
+                (0.61803399 * i - label(0.61803399 * i)) * scene.duration,
             scene.effects, F);
         largest = max(largest, max(mag(sum(F)), 0.5 * sum(mag(F))));
     }

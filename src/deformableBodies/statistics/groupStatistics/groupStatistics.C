@@ -245,8 +245,8 @@ void Foam::groupStatistics::writeConcentration(Ostream& os) const
     {
         const scalarList& c = concentration_[n];
         if (c[0] == 0) continue;
-        os << n << ' ' << n / volume << ' ' << c[0] / all << ' '
-           << c[1] / c[0] << ' ' << c[2] / c[0] << ' ' << c[3] / c[0] << nl;
+        os << n << ' ' << n / volume << ' ' << c[0] / all << ' ' << c[1] / c[0]
+           << ' ' << c[2] / c[0] << ' ' << c[3] / c[0] << nl;
     }
 }
 

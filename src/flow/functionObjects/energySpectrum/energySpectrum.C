@@ -60,9 +60,10 @@ Foam::functionObjects::energySpectrum::energySpectrum(const word& name,
         table_ = newResultFile(time, fileName(mesh_.dbDir()) / name,
                                "turbulence.dat");
         table_().precision(10);
-        table_() << "# time kineticEnergy dissipation rms taylorLength ReLambda "
-               << "integralLength kolmogorovLength turnoverTime skewness "
-               << "forcingPower" << endl;
+        table_()
+            << "# time kineticEnergy dissipation rms taylorLength ReLambda "
+            << "integralLength kolmogorovLength turnoverTime skewness "
+            << "forcingPower" << endl;
     }
 }
 
@@ -238,11 +239,12 @@ bool Foam::functionObjects::energySpectrum::execute()
     const scalar lambda = rms * Foam::sqrt(15 * nu_ / (dissipation + VSMALL));
     const scalar integral =
         0.75 * constant::mathematical::pi * inverseK / (total_ + VSMALL);
-    table_() << time_.value() << tab << total_ << tab << dissipation << tab << rms
-           << tab << lambda << tab << rms * lambda / nu_ << tab << integral
-           << tab << Foam::pow025(pow3(nu_) / (dissipation + VSMALL)) << tab
-           << integral / (rms + VSMALL) << tab << skewed << tab << power
-           << endl;
+    table_() << time_.value() << tab << total_ << tab << dissipation << tab
+             << rms << tab << lambda << tab << rms * lambda / nu_ << tab
+             << integral << tab
+             << Foam::pow025(pow3(nu_) / (dissipation + VSMALL)) << tab
+             << integral / (rms + VSMALL) << tab << skewed << tab << power
+             << endl;
     return true;
 }
 
