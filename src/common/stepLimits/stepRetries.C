@@ -21,6 +21,10 @@ Foam::stepRetries::stepRetries(Time& time, stepLimits& limits, lastStep& last,
         refuse(time.controlDict(), "maxRetries", Foam::name(maxRetries_),
                "0, as " + obstacle);
     }
+    if (maxRetries > 0 && !obstacle.empty())
+    {
+        Info << "No step is taken back: " << obstacle.c_str() << nl << endl;
+    }
     limitSteps();
 }
 

@@ -122,8 +122,10 @@ Foam::bodyState::origins(const IOdictionary& dict) const
                         : wanted[host];
 
         // Pictures of a run are of its states
-        const bool other = wanted[g] == origin::DICTIONARY;
-        if (functionObject::postProcess && other) wanted[g] = origin::STATE;
+        if (functionObject::postProcess && wanted[g] == origin::DICTIONARY)
+        {
+            wanted[g] = origin::STATE;
+        }
     }
     return wanted;
 }

@@ -51,7 +51,7 @@ Foam::functionObjects::energySpectrum::energySpectrum(const word& name,
                                                       const Time& time,
                                                       const dictionary& dict)
     : fvMeshFunctionObject(name, time, dict),
-      writeFile(mesh_, name, typeName, dict),
+      writeFile(mesh_, name),
       grid_(uniformGrid::New(mesh_))
 {
     read(dict);
