@@ -95,6 +95,7 @@ int main(int argc, char* argv[])
             {
                 limits.judge(fill);
                 limits.judgeEstimate("bodies");
+                limits.judgeEstimate("contacts");
             }
 
             ++runTime;

@@ -58,8 +58,8 @@ void Foam::bodyCollection::read(const IOobject& io)
     refuseDuplicates(dict, dict.filePath());
     for (const word& file : {io.name(), word("transportProperties")})
     {
-        readAtStart_.append(
-            new readOnceDictionary(mesh, file, "the bodies go on"));
+        readAtStart_.append(new readOnceDictionary(mesh, mesh.time().constant(),
+                                                   file, "the bodies go on"));
     }
     bodyReader reader(dict, system_);
     reader.read();

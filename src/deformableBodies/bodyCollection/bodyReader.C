@@ -121,6 +121,11 @@ void Foam::bodyReader::readFluid()
     system_.flowDeltaT = before.getOrDefault<scalar>("flowDeltaT", -1);
     system_.firstFlow.speed = before.getOrDefault<scalar>("flowSpeed", -1);
     system_.firstFlow.rate = before.getOrDefault<scalar>("flowRate", -1);
+    const dictionary loads(before.subOrEmptyDict("loads"));
+    for (const word& group : loads.toc())
+    {
+        system_.firstLoads.insert(group, loads.get<scalar>(group));
+    }
 }
 
 // Samples of many bodies at each step would cost a good part of it

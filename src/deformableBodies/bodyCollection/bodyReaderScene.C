@@ -21,13 +21,15 @@ Foam::bodyScene Foam::bodyReader::scene(const flowScales& flow) const
             likelyDeltaT(),
             system_.adjustsStep(),
             flowDeltaT(),
+            time.startTime().value(),
             time.endTime().value() - time.startTime().value(),
             system_.accuracy,
             readCoupling(dict_, bodyCoupling::twoWay),
             removesOutside(dict_, false),
             system_.forces,
             system_.placed,
-            system_.effects};
+            system_.effects,
+            system_.firstLoads};
 }
 
 Foam::vector Foam::bodyReader::readGravity() const

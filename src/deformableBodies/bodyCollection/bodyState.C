@@ -58,7 +58,14 @@ void Foam::bodyState::write(Ostream& os, const bool diverged) const
     if (system_.interactions)
     {
         text << "    flowSpeed " << system_.firstFlow.speed
-             << ";\n    flowRate " << system_.firstFlow.rate << ";\n";
+             << ";\n    flowRate " << system_.firstFlow.rate
+             << ";\n    loads\n    {\n";
+        for (const word& group : system_.firstLoads.sortedToc())
+        {
+            text << "        " << group << ' ' << system_.firstLoads[group]
+                 << ";\n";
+        }
+        text << "    }\n";
     }
     if (system_.flowDeltaT >= 0)
     {

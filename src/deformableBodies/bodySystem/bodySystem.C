@@ -21,6 +21,16 @@ bool Foam::bodySystem::twoWay() const
     return false;
 }
 
+bool Foam::bodySystem::startsAfresh() const
+{
+    bool any = false;
+    for (const bodyGroup& group : groups)
+    {
+        any = any || group.startsAfresh();
+    }
+    return returnReduce(any, orOp<bool>());
+}
+
 Foam::labelList Foam::bodySystem::groupsThat(const forcingType forcing,
                                              label* nTwoWay) const
 {

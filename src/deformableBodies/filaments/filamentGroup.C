@@ -15,12 +15,17 @@ const Foam::bodyReport& Foam::filamentGroup::report() const
     return *report_;
 }
 
+Foam::vector Foam::filamentGroup::startDisplacement() const
+{
+    return base_.valid() ? base_->value(scene_.startTime) : vector::zero;
+}
+
 // Segments of equal length along the curve
 Foam::vectorField Foam::filamentGroup::firstShape(const label number) const
 {
     const vector t0(start_.directions[number] / mag(start_.directions[number]));
     const label N = properties_.segments;
-    vectorField X(N + 1, start_.positions[number]);
+    vectorField X(N + 1, start_.positions[number] + startDisplacement());
     for (label i = 1; i <= N; ++i)
     {
         const scalar s = constant::mathematical::pi * (i - 0.5) / N;
@@ -42,7 +47,8 @@ void Foam::filamentGroup::insertBody(const label i, const label number,
     x.U.setSize(points_.size(), Zero);
     x.X.setSize(markersEach());
     x.forces.setSize(twoWay() ? markersEach() : 0, Zero);
-    x.start = x.line.positions()[movedEnd() * properties_.segments];
+    x.start = x.line.positions()[movedEnd() * properties_.segments] -
+              startDisplacement();
     if (state.size()) restore(x, number, state, source);
     bodies_.insert(bodies_.begin() + i, x);
 }

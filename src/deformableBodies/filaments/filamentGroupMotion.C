@@ -75,14 +75,15 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
                           around.force);
         scene_.forces.addStiffness(name(), mine()[i], around.stiffness);
 
-        // Stiffness above what an explicit step allows
+        // Stiffness above what an explicit step allows: twice that of a contact, as the
+        // other body gives way alike in the same step
         const scalar borne = gain * n / (properties_.length * s.dt);
         forAll(around.force, k)
         {
             const scalar length = properties_.lengthOf(k);
             around.force[k] /= length;
             around.stiffness[k] =
-                max(scalar(0), around.stiffness[k] / length - borne);
+                max(scalar(0), 2 * around.stiffness[k] / length - borne);
         }
     }
     if (base_.valid())

@@ -8,7 +8,8 @@ Foam::sideVelocities::sideVelocities(const volVectorField& U,
                                      const uniformGrid& grid, const direction d)
     : lower(Zero),
       upper(Zero),
-      fixed(true)
+      fixed(true),
+      steady(true)
 {
     scalar area[2] = {0, 0};
     for (const fvPatchVectorField& side : U.boundaryField())
@@ -23,6 +24,8 @@ Foam::sideVelocities::sideVelocities(const volVectorField& U,
             (isLower ? lower : upper) += magSf[i] * side[i];
             area[isLower] += magSf[i];
             fixed = fixed && side.fixesValue();
+            steady = steady &&
+                     (side.type() == "fixedValue" || side.type() == "noSlip");
         }
     }
     reduce(lower, sumOp<vector>());
@@ -30,6 +33,7 @@ Foam::sideVelocities::sideVelocities(const volVectorField& U,
     lower /= returnReduce(area[1], sumOp<scalar>()) + VSMALL;
     upper /= returnReduce(area[0], sumOp<scalar>()) + VSMALL;
     reduce(fixed, andOp<bool>());
+    reduce(steady, andOp<bool>());
 }
 
 Foam::shearSides Foam::shearSides::of(const fvMesh& mesh)
@@ -43,6 +47,8 @@ Foam::shearSides Foam::shearSides::of(const fvMesh& mesh)
         if (grid.periodic(d)) continue;
         const sideVelocities sides(U, grid, d);
         if (!sides.fixed) continue;
+        if (all.rate == 0 && all.steady && !sides.steady) all.gradient = d;
+        all.steady = all.steady && sides.steady;
         vector across(sides.upper - sides.lower);
         across[d] = 0;
         direction f = d == 0 ? 1 : 0;

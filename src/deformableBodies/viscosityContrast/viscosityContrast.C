@@ -8,8 +8,8 @@ Foam::viscosityContrast::viscosityContrast(const fvMesh& mesh, const scalar nu0,
     : mesh_(mesh),
       grid_(uniformGrid::New(mesh)),
       nu0_(nu0),
-      lowest_(nu0 * min(scalar(1), min(ratios))),
-      highest_(nu0 * max(scalar(1), max(ratios))),
+      range_(nu0 * min(scalar(1), min(ratios)),
+             nu0 * max(scalar(1), max(ratios))),
       poisson_(fastHelmholtzCache::New(mesh).get(sidesOf(grid_, true)))
 {
 }
@@ -42,7 +42,7 @@ void Foam::viscosityContrast::update(const markerSet& markers,
             : 0;
     forAll(I, celli)
     {
-        nu[celli] = min(max(nu0_ * (1 + mean + I[celli]), lowest_), highest_);
+        nu[celli] = range_.clip(nu0_ * (1 + mean + I[celli]));
     }
     nu.correctBoundaryConditions();
 }

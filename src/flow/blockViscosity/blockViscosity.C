@@ -2,10 +2,11 @@
 
 #include "blockViscosity.H"
 
-void Foam::blockViscosity::set(const volScalarField& nu, const scalar highest)
+void Foam::blockViscosity::set(const volScalarField& nu,
+                               const scalarMinMax& range)
 {
-    max_ = Foam::max(highest, gMax(nu.primitiveField()));
-    min_ = gMin(nu.primitiveField());
+    max_ = Foam::max(range.max(), gMax(nu.primitiveField()));
+    min_ = Foam::min(range.min(), gMin(nu.primitiveField()));
     if (max_ - min_ <= 1e-12 * max_)
     {
         cells_.clear();

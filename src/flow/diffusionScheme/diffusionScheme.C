@@ -40,13 +40,13 @@ bool Foam::diffusionScheme::choose(const scalar nu, const scalar dt,
     const state before(state_);
     const scalar limit = scheme.explicitLimit();
     const scalar number = grid_.diffusionNumber(nu, dt);
-    if (asked_ == "explicit" && number > 1.04 * limit)
+    if (asked_ == "explicit" && number > (1 + 1e-6) * limit)
     {
         refuse(controls_, "diffusion",
                "explicit at nu dt/h^2 = " + Foam::name(number),
                "auto, ADI or FFT, or a smaller deltaT: explicit diffusion is "
                "unstable above " +
-                   Foam::name(1.04 * limit));
+                   Foam::name(limit));
     }
 
     // A change discards the history of AB2: not back and forth where dt varies about

@@ -25,7 +25,8 @@ Foam::word termsName(const bool withDiffusion)
 
 Foam::explicitScheme::explicitScheme(const uniformGrid& grid,
                                      const fvMesh& mesh,
-                                     const dictionary& controls)
+                                     const dictionary& controls,
+                                     const bool bodies)
     : grid_(grid),
       mesh_(mesh),
       asked_(readWord(controls, "timeScheme", {"auto", "AB2", "RK3"}, "auto"))
@@ -42,7 +43,15 @@ Foam::explicitScheme::explicitScheme(const uniformGrid& grid,
     nameFile_.reset(
         new stateObject<IOdictionary>("timeScheme", "uniform", mesh_,
                                       [this](Ostream& os) { writeName(os); }));
-    if ((asked_ == "auto" ? before : asked_) == "RK3")
+
+    // Beside bodies auto is AB2
+    const bool dropsRK3 = asked_ == "auto" && bodies && before == "RK3";
+    if (dropsRK3)
+    {
+        Info << "Time scheme: AB2, as bodies have been added; RK3 before"
+             << endl;
+    }
+    if ((asked_ == "auto" ? before : asked_) == "RK3" && !dropsRK3)
     {
         takeRK3();
         return;
@@ -163,6 +172,16 @@ Foam::scalar Foam::explicitScheme::passed() const
         sum += stages_[i].dtFraction;
     }
     return sum;
+}
+
+// The terms of a step that is taken back may not be finite
+void Foam::explicitScheme::forgetHistory()
+{
+    history_.known = false;
+    for (direction d = 0; d < 3; ++d)
+    {
+        std::fill(history_.last[d].begin(), history_.last[d].end(), 0);
+    }
 }
 
 void Foam::explicitScheme::setWithDiffusion(const bool yes)

@@ -52,6 +52,9 @@ void Foam::fieldExchange::read(componentArrays& u, array& pressure) const
 
 void Foam::fieldExchange::fill(const componentArrays& u, const array& pressure)
 {
+    U_.storeOldTimes();
+    p_.storeOldTimes();
+    phi_.storeOldTimes();
     grid_.toFlux(staggeredView(u, block_.index(0, 0, 0), block_.stride(1),
                                block_.stride(2)),
                  phi_);

@@ -146,12 +146,9 @@ void Foam::flowAlgorithm::checkControls(const dictionary& controls,
     // Entries of its own, and those of pimple
     wordList known({"flowAlgorithm", "timeScheme", "diffusion", "convection",
                     "pRefCell", "pRefPoint", "pRefValue"});
-    known.append(
-        wordList({"nOuterCorrectors", "nCorrectors", "nNonOrthogonalCorrectors",
-                  "momentumPredictor", "residualControl", "solveFlow",
-                  "SIMPLErho", "turbOnFinalIterOnly", "transonic", "consistent",
-                  "frozenFlow", "correctPhi", "checkMeshCourantNo",
-                  "moveMeshOuterCorrectors", "ddtCorr"}));
+    known.append(wordList({"nOuterCorrectors", "nCorrectors",
+                           "nNonOrthogonalCorrectors", "momentumPredictor",
+                           "residualControl", "turbOnFinalIterOnly"}));
     wordList unknown;
     for (const word& name : controls.toc())
     {

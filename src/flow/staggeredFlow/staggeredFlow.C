@@ -13,7 +13,7 @@ Foam::staggeredFlow::staggeredFlow(volVectorField& U, volScalarField& p,
       effects_(effects),
       convection_(controls.getOrDefault<bool>("convection", true)),
       poisson_(grid_, sidesOf(grid_), block_.indices()),
-      scheme_(grid_, U.mesh(), controls),
+      scheme_(grid_, U.mesh(), controls, bodies),
       diffusion_(grid_, controls, bodies, scheme_.withDiffusion()),
       nu_(block_),
       walls_(U, controls),
@@ -76,9 +76,9 @@ void Foam::staggeredFlow::updateVelocity()
 }
 
 void Foam::staggeredFlow::setViscosity(const volScalarField& nu,
-                                       const scalar highest)
+                                       const scalarMinMax& range)
 {
-    nu_.set(nu, highest);
+    nu_.set(nu, range);
 }
 
 Foam::staggeredView Foam::staggeredFlow::velocity() const

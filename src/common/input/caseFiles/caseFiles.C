@@ -154,19 +154,28 @@ void Foam::refuseUnreadable(const IOobject& io, const word& className)
                          << exit(FatalError);
 }
 
-void Foam::requireFinishedTime(const polyMesh& mesh, const wordList& fields)
+void Foam::requireFinishedTime(const polyMesh& mesh, const wordList& fields,
+                               const wordList& optional)
 {
     const Time& time = mesh.time();
     if (time.value() <= 0) return;
     string missing;
-    for (const word& field : fields)
+    const auto check = [&](const word& field, const bool isOptional)
     {
         const IOobject io(field, time.timeName(), mesh, IOobject::MUST_READ,
                           IOobject::NO_WRITE, false);
-        if (fileHandler().filePath(false, io, "volVectorField", false).empty())
-        {
-            missing = io.objectPath();
-        }
+        const bool found =
+            !fileHandler().filePath(false, io, "volVectorField", false).empty();
+        const bool needed = !isOptional || returnReduce(found, orOp<bool>());
+        if (needed && !found) missing = io.objectPath();
+    };
+    for (const word& field : fields)
+    {
+        check(field, false);
+    }
+    for (const word& field : optional)
+    {
+        check(field, true);
     }
     missing = firstOf(missing);
     if (missing.empty()) return;

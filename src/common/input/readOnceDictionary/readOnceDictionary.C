@@ -7,10 +7,11 @@
 // Registered with Time, so that it does not clash with a dictionary of the same name that
 // is registered with the mesh and is read again
 Foam::readOnceDictionary::readOnceDictionary(const objectRegistry& mesh,
+                                             const fileName& instance,
                                              const word& name,
                                              const string& who)
-    : IOdictionary(IOobject(name, mesh.time().constant(), mesh.dbDir(),
-                            mesh.time(), IOobject::MUST_READ_IF_MODIFIED,
+    : IOdictionary(IOobject(name, instance, mesh.dbDir(), mesh.time(),
+                            IOobject::MUST_READ_IF_MODIFIED,
                             IOobject::NO_WRITE)),
       who_(who)
 {

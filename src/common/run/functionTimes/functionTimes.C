@@ -62,7 +62,7 @@ bool isDue(const dictionary& function, const Time& time, const word& what)
     }
     if (control == "onEnd")
     {
-        return time.value() > time.endTime().value() - 0.5 * time.deltaTValue();
+        return isLastStep(time);
     }
     return control != "none";
 }
@@ -81,12 +81,18 @@ void Foam::checkFunctionEntries(const dictionary& dict, wordList allowed)
     checkEntries(dict, allowed);
 }
 
+bool Foam::isLastStep(const Time& time)
+{
+    return time.value() > time.endTime().value() - 0.5 * time.deltaTValue();
+}
+
 bool Foam::isDue(const dictionary& function, const Time& time)
 {
     const wordList writers({"writeObjects", "writeRegisteredObject", "probes",
                             "patchProbes", "sets", "systemCall"});
     const bool onlyWrites =
-        writers.found(function.getOrDefault<word>("type", ""));
+        writers.found(function.getOrDefault<word>("type", "")) &&
+        !function.getOrDefault<bool>("sampleOnExecute", false);
     return (!onlyWrites && ::isDue(function, time, "execute")) ||
            ::isDue(function, time, "write");
 }

@@ -32,17 +32,27 @@ Foam::newResultFile(const Time& time, const fileName& folder, const word& name)
     mkDir(dir);
     const fileName file(dir / name);
     keepAside(time, file);
-    if (!functionObject::postProcess)
+    if (!functionObject::postProcess) keepLaterResults(time, folder, name);
+    return autoPtr<OFstream>(new OFstream(file));
+}
+
+// Not by the file handler, which may want all ranks
+void Foam::keepLaterResults(const Time& time, const fileName& folder,
+                            const word& name)
+{
+    const fileName top(time.globalPath() / "postProcessing" / folder);
+    for (const fileName& other : readDir(top, fileName::DIRECTORY))
     {
-        // Not by the file handler, which may want all ranks
-        const scalar start = time.startTime().value();
-        for (const fileName& other : readDir(dir.path(), fileName::DIRECTORY))
+        scalar at;
+        if (!readScalar(other.c_str(), at) ||
+            at <= time.startTime().value() * (1 + SMALL))
         {
-            scalar began;
-            if (!readScalar(other.c_str(), began)) continue;
-            if (began > start * (1 + SMALL))
-                keepAside(time, dir.path() / other / name);
+            continue;
+        }
+        for (const fileName& file : readDir(top / other, fileName::FILE))
+        {
+            if (name.empty() ? file.ext() == "dat" : file == name)
+                keepAside(time, top / other / file);
         }
     }
-    return autoPtr<OFstream>(new OFstream(file));
 }

@@ -11,11 +11,21 @@ Foam::string Foam::bulkStress::obstacle(const bodySystem& system,
                                         const shearSides& sides)
 {
     if (!system.twoWay()) return "no bodies act on the fluid";
+    for (const bodyGroup& group : system.groups)
+    {
+        if (group.twoWay() || !system.interactions ||
+            !interactionScene::takesPart(group))
+            continue;
+        return "the fluid does not feel contacts of group " + group.name();
+    }
     if (!system.nu->isUniform())
     {
         return "the stress of the fluid is not that of one viscosity";
     }
-    if (sides.rate == 0) return "no sides of the box move against each other";
+    if (sides.rate == 0 && sides.steady)
+    {
+        return "no sides of the box move against each other";
+    }
     if (sides.oblique > 1e-6) return "sides move in no direction of the mesh";
     for (direction d = 0; d < 3; ++d)
     {
@@ -80,15 +90,22 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
 {
     checkEntries(dict);
     const auto saved = stateOfTime(system.mesh, "bulkStress");
-    if (saved && saved->get<wordList>("columns") == columns())
+    if (saved && !system.startsAfresh() &&
+        saved->get<wordList>("columns") == columns())
     {
         means_.restore(saved->get<scalarList>("sums"));
         lastTime_ = saved->get<scalar>("lastTime");
         largestRate_ = saved->getOrDefault<scalar>("largestRate", 0);
+        const labelList directions(
+            saved->getOrDefault<labelList>("directions", labelList()));
+        if (directions.size() == 2)
+        {
+            flowDirection_ = directions[0];
+            gradient_ = directions[1];
+        }
     }
     const shearSides sides(shearSides::of(system.mesh));
-    flowDirection_ = sides.flow;
-    gradient_ = sides.gradient;
+    isShear(sides);
     const scalar H = system.grid.length()[sides.gradient];
     Info << "Bulk stress: the stress of the sides takes "
          << sqr(H / constant::mathematical::pi) / system.nu->value()
@@ -139,9 +156,14 @@ Foam::bulkStress::measure(const shearSides& sides) const
 
 bool Foam::bulkStress::isShear(const shearSides& sides)
 {
+    if (largestRate_ == 0 && sides.rate != 0 && sides.oblique <= 1e-6)
+    {
+        flowDirection_ = sides.flow;
+        gradient_ = sides.gradient;
+    }
     largestRate_ = max(largestRate_, mag(sides.rate));
     return sides.flow == flowDirection_ && sides.gradient == gradient_ &&
-           mag(sides.rate) > 0.01 * largestRate_;
+           sides.oblique <= 1e-6 && mag(sides.rate) > 0.01 * largestRate_;
 }
 
 void Foam::bulkStress::begin()
@@ -190,9 +212,7 @@ void Foam::bulkStress::end()
 {
     addLine();
     const Time& time = system_.mesh.time();
-    const bool ends =
-        time.value() > time.endTime().value() - 0.5 * time.deltaTValue();
-    if (time.writeTime() || ends) writeAverages();
+    if (time.writeTime() || isLastStep(time)) writeAverages();
 }
 
 Foam::scalarList Foam::bulkStress::line(const shearSides& sides,

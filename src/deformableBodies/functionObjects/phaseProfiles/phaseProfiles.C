@@ -49,7 +49,8 @@ Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
     }
     else
     {
-        withStress_ = bodies_.system().nu->isUniform();
+        withStress_ =
+            bodies_.system().nu->isUniform() && !bodies_.system().contrast;
     }
     if (!withStress_)
     {

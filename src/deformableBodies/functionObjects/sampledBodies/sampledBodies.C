@@ -5,6 +5,7 @@
 #include "dictionaryChecks.H"
 #include "functionTimes.H"
 #include "OSspecific.H"
+#include "resultFile.H"
 
 Foam::functionObjects::sampledBodies::sampledBodies(const word& name,
                                                     const Time& time,
@@ -20,6 +21,12 @@ Foam::functionObjects::sampledBodies::sampledBodies(const word& name,
     {
         refuse(dict.parent(), name, type,
                "another name, as the mesh has an object of this one");
+    }
+    if (!postProcess && Pstream::master()) keepLaterResults(time, name);
+    if (postProcess)
+    {
+        Info << "functionObject " << name << " of type " << type
+             << ": no output with -postProcess, as it needs the run" << nl;
     }
     const scalar end = time.endTime().value();
     if (timeStart_ >= end)
@@ -47,6 +54,12 @@ Foam::functionObjects::sampledBodies::savedState() const
     {
         Info << "functionObject " << name() << " starts afresh: its timeStart "
              << "is not that of the state" << nl;
+        return state;
+    }
+    if (bodies_.system().startsAfresh())
+    {
+        Info << "functionObject " << name() << " starts afresh: bodies start "
+             << "from the dictionary" << nl;
         return state;
     }
     state.reset(new dictionary(*saved));

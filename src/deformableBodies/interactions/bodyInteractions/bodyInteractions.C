@@ -110,7 +110,10 @@ Foam::scalar Foam::bodyInteractions::pressed() const
 {
     if (!hasForces_) return pressedBefore_;
     scalar now = 0;
-    for (label b = 0; near_.any() && b < near_.nBodies(); ++b)
+
+    // Bodies may have been compared since their points were collected
+    const label n = near_.any() ? min(near_.nBodies(), points_.nBodies()) : 0;
+    for (label b = 0; b < n; ++b)
     {
         now = max(now, 2 * points_.load(b));
     }

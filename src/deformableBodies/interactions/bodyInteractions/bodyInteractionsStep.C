@@ -188,22 +188,25 @@ void Foam::bodyInteractions::actOfWalls()
             const interactingPoint& p = points_.points()[k];
             const vector x(points_.X()[k] +
                            (p.radius > 0 ? half : 0) * points_.V()[k]);
-            vector inward;
-            const scalar distance = walls_.distance(x, inward);
-            if (distance >= models_.range()) continue;
-            const auto ofWall =
-                models_.ofWall(distance - p.radius, p.radius == 0);
-            const scalar P = ofWall.first;
-            const vector force(P * p.size * inward);
-            points_.forces().F[k] += force;
-            points_.stiffness()[k] += ofWall.second * p.size;
-            wallMoment_ += force * (centre - (x - distance * inward));
-
-            // A point without velocity is held at the wall
-            if (P > 0 && distance < 0.5 * p.radius && mag(points_.V()[k]) > 0)
+            const auto act = [&](const scalar distance, const vector& inward)
             {
-                watch_.pressedIntoWall(p.radius - distance, body.number, x);
-            }
+                if (distance >= models_.range()) return;
+                const auto ofWall =
+                    models_.ofWall(distance - p.radius, p.radius == 0);
+                const scalar P = ofWall.first;
+                const vector force(P * p.size * inward);
+                points_.forces().F[k] += force;
+                points_.stiffness()[k] += ofWall.second * p.size;
+                wallMoment_ += force * (centre - (x - distance * inward));
+
+                // A point without velocity is held at the wall
+                if (P > 0 && distance < 0.5 * p.radius &&
+                    mag(points_.V()[k]) > 0)
+                {
+                    watch_.pressedIntoWall(p.radius - distance, body.number, x);
+                }
+            };
+            walls_.each(x, act);
         }
     }
 }

@@ -29,17 +29,12 @@ Foam::boxWalls::boxWalls(const fvMesh& mesh, const uniformGrid& grid)
 Foam::scalar Foam::boxWalls::distance(const vector& x, vector& inward) const
 {
     scalar least = GREAT;
-    for (direction d = 0; d < 3; ++d)
-    {
-        const scalar above = x[d] - grid_.origin()[d];
-        const scalar distances[2] = {above, grid_.length()[d] - above};
-        for (label side = 0; side < 2; ++side)
-        {
-            if (!walls_[d][side] || distances[side] >= least) continue;
-            least = distances[side];
-            inward = Zero;
-            inward[d] = side ? -1 : 1;
-        }
-    }
+    each(x,
+         [&](const scalar distance, const vector& fromWall)
+         {
+             if (distance >= least) return;
+             least = distance;
+             inward = fromWall;
+         });
     return least;
 }

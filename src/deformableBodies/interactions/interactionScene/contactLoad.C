@@ -12,7 +12,7 @@ const scalar pi = constant::mathematical::pi;
 //- Weight and loads of the first body of a group [N]: largest at the start and at a hundred
 //  times of the run, which have no period in common with a load (golden ratio)
 scalar weightAndLoads(const bodyPoints& p, const word& group,
-                      const bodyScene& scene, const scalar startTime)
+                      const bodyScene& scene)
 {
     scalar largest = 0;
     for (label i = 0; i <= 100 && scene.forces.actOn(group, 0); ++i)
@@ -20,7 +20,7 @@ scalar weightAndLoads(const bodyPoints& p, const word& group,
         vectorField F(p.positions.size(), Zero);
         scene.forces.add(
             group, 0, [&]() { return p; },
-            startTime +
+            scene.startTime +
                 (0.61803399 * i - label(0.61803399 * i)) * scene.duration,
             scene.effects, F);
         largest = max(largest, max(mag(sum(F)), 0.5 * sum(mag(F))));
@@ -30,8 +30,7 @@ scalar weightAndLoads(const bodyPoints& p, const word& group,
 } // namespace
 
 Foam::contactLoad Foam::contactLoad::of(const PtrList<bodyGroup>& groups,
-                                        const label g, const bodyScene& scene,
-                                        const scalar startTime)
+                                        const label g, const bodyScene& scene)
 {
     const bodyGroup& group = groups[g];
     const bodyPoints p(group.points(-1));
@@ -63,7 +62,11 @@ Foam::contactLoad Foam::contactLoad::of(const PtrList<bodyGroup>& groups,
         load.mass = (p.densityRatio + 1) * scene.rho * volume;
     }
 
-    load.own = weightAndLoads(p, group.name(), scene, startTime);
+    // A restart goes on with the load of the first start, unless loads have grown
+    scalar& own = scene.firstLoads(group.name(), 0);
+    const scalar now = weightAndLoads(p, group.name(), scene);
+    if (now > 1.1 * own) own = now;
+    load.own = own;
     const flowScales& flow = scene.flow;
     const scalar most = flow.speed > 0 ? flow.speed : GREAT;
     const scalar byFlow = flow.rate > 0    ? min(flow.rate * size, most)

@@ -30,8 +30,7 @@ Foam::interactionScene::of(const fvMesh& mesh, const PtrList<bodyGroup>& groups,
     forAll(groups, g)
     {
         if (!takesPart(groups[g])) continue;
-        all.loads.append(contactLoad::of(groups, g, scene,
-                                         mesh.time().startTime().value()));
+        all.loads.append(contactLoad::of(groups, g, scene));
         all.add(groups[g].points(-1));
         if (all.loads.last().isSurface && groups[g].host() < 0)
         {

@@ -91,6 +91,8 @@ void Foam::functionObjects::energySpectrum::velocity(staggeredField& u) const
 
 Foam::scalar Foam::functionObjects::energySpectrum::forcingPower() const
 {
+    // The phases of the forcing are known to the run only
+    if (postProcess) return std::nan("");
     const auto* options = mesh_.cfindObject<fv::options>(fv::options::typeName);
     if (!options) return 0;
     staggeredField f(grid_.box()), u(grid_.box());
