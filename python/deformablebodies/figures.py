@@ -15,6 +15,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib import ticker
+from matplotlib.container import ErrorbarContainer
 
 black, blue, orange, green, purple, yellow = "k", "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00"
 signed = "PuOr"
@@ -40,6 +41,18 @@ def shades(values):
     """A colour of viridis for each of some ordered values."""
     values = list(values)
     return dict(zip(values, plt.cm.viridis(np.linspace(0, 0.88, len(values)))))
+
+
+def legendAbove(figure, axes, columns):
+    """One legend of all these axes above the panels, each label once, points with errors first."""
+    entries = {}
+    for axis in axes:
+        for handle, label in sorted(zip(*axis.get_legend_handles_labels()),
+                                    key=lambda entry: not isinstance(entry[0], ErrorbarContainer)):
+            entries.setdefault(label, handle)
+    # The layout keeps room for the title
+    figure.suptitle("\n" * -(-len(entries) // columns), fontsize=9)
+    figure.legend(entries.values(), entries.keys(), loc="upper center", ncol=columns)
 
 
 def save(figure, picture, **options):
