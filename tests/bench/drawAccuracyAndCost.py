@@ -22,8 +22,8 @@ text = ["""# What accuracy costs
 Made by `tests/bench/accuracyAndCost`, which runs `bin/accuracyCost` on tutorials with other settings; your own case
 takes the same command. The error of each setting that is varied is the difference between the quantity at the end and
 the setting's own limit (Richardson's value or the finest, as written; that of the finest, hollow in the picture, is how
-sure the limit is; lines join what no cheaper value reaches). Errors of different settings add up. Core seconds are those
-of the run on one core of a busy machine (below a second the least of three runs): compare them with each other.
+sure the limit is; lines join what no cheaper value reaches). Errors of different settings add up. Core seconds are
+those of the run on one core of a busy machine (below a second the least of three runs): compare them with each other.
 
 Errors of the cells against values that no mesh has touched, boundary integrals, are in [accuracy.csv](accuracy.csv) and
 in the picture of the README (`tests/bench/accuracy`). The error that a run states of itself, in its log and for
