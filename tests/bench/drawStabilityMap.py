@@ -3,12 +3,13 @@ import csv
 import sys
 from matplotlib.patches import Patch, Rectangle
 from matplotlib.lines import Line2D
-from deformablebodies.figures import plt
+from deformablebodies import figures
 
 colours = {"accurate": "#74add1", "fair": "#fee090", "off": "#f46d43", "stopped": "#555555", "noReference": "white"}
 labels = {"accurate": "error below 1 %", "fair": "below 10 %", "off": "more, or warned of", "stopped": "stopped"}
-maps = {"stiffness": "Ca$_G$", "bending": "E$_B$/(a$^2$G$_s$), at Ca$_G$ 0.05", "viscosity": "viscosity ratio, at Ca$_G$ 0.15",
-        "area": "Skalak's C, at Ca$_G$ 0.15", "inertia": "Re, at Ca$_G$ 0.05", "density": "density ratio of a\nrigid ellipsoid, Re 0.1"}
+maps = {"stiffness": "$Ca_G$", "bending": "$E_B/(a^2 G_s)$\n$Ca_G$ = 0.05", "viscosity": "viscosity ratio\n$Ca_G$ = 0.15",
+        "area": "Skalak's $C$\n$Ca_G$ = 0.15", "inertia": "Re\n$Ca_G$ = 0.05",
+        "density": "density ratio of a\nrigid ellipsoid, Re = 0.1"}
 titles = {"default": "default", "explicit": "motion explicit; maxRetries 0;", "penalty": "motion penalty; maxRetries 0; (two smaller steps)",
           "once": "maxRetries 0;"}
 
@@ -42,6 +43,7 @@ def panel(ax, rows):
     ax.set_xticklabels(steps, fontsize=8)
     ax.set_yticklabels(heights, fontsize=8)
     ax.tick_params(length=0)
+    ax.grid(False)
     for side in ax.spines.values():
         side.set_visible(False)
 
@@ -51,26 +53,26 @@ def legend(ax):
     handles = [Patch(fc=colours[v], label=label) for v, label in labels.items()]
     handles += [Line2D([], [], ls="", marker="o", ms=4, color="black", label="the log's limits allow the step"),
                 Line2D([], [], ls="", marker="v", ms=5, mfc="white", mec="black", label="steps were taken back"),
-                Line2D([], [], ls="", marker="$3$", ms=6, color="black", label="largest error in %, rate t = 1 to 2")]
-    ax.legend(handles=handles, loc="center", fontsize=9, frameon=False)
+                Line2D([], [], ls="", marker="$3$", ms=6, color="black", label="largest error in %, $\\dot\\gamma t$ = 1 to 2")]
+    ax.legend(handles=handles, loc="center", fontsize=9)
 
 
 with open(sys.argv[1]) as f:
     table = list(csv.DictReader(line for line in f if not line.startswith("#")))
-figure, axes = plt.subplots(len(maps), 3, figsize=(13, 2 * len(maps)), constrained_layout=True,
-                             gridspec_kw={"width_ratios": [len(stepsOf([s])) for s in ("default", "explicit", "penalty")]})
+widths = [len(stepsOf([s])) for s in ("default", "explicit", "penalty")]
+figure, axes = figures.columns(3, 1.85, 4.1, len(maps), gridspec_kw={"width_ratios": widths})
 for axs, (name, label) in zip(axes, maps.items()):
     own = [r for r in table if r["map"] == name]
     schemes = [s for s in titles if any(r["scheme"] == s for r in own)]
     for ax, scheme in zip(axs, schemes):
         panel(ax, [r for r in own if r["scheme"] == scheme])
         if name in ("stiffness", "density"):
-            ax.set_title(titles[scheme], fontsize=10)
+            ax.set_title(titles[scheme])
     for ax in axs[len(schemes):-1]:
         ax.axis("off")
-    axs[0].set_ylabel(label, fontsize=9)
+    axs[0].set_ylabel(label)
     if len(schemes) < 3:
         legend(axs[2])
 for ax in axes[-1][:2]:
-    ax.set_xlabel("rate $\\times$ deltaT", fontsize=9)
-figure.savefig(sys.argv[2], dpi=85)
+    ax.set_xlabel("$\\dot\\gamma\\,\\Delta t$")
+figures.save(figure, sys.argv[2], dpi=84)

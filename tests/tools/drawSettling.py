@@ -1,11 +1,12 @@
-"""Figure of the study of fibres that settle: drawSettling.py table.csv picture.png"""
+"""Figure of the study of fibres that settle: drawSettling.py table.csv picture.png. V_1 is the velocity
+of one alone; the table has errors of the mean velocity only."""
 import sys
 from deformablebodies import figures
 from deformablebodies.tables import records
 
 rows = records(sys.argv[1])
-panels = (("velocity", "mean velocity/that of one alone"), ("clustering", "variance of the neighbours/their mean"),
-          ("deviation", "deviation of the velocity/that of one alone"))
+panels = (("velocity", r"mean velocity $\langle V\rangle/V_1$"),
+          ("clustering", "variance/mean of the neighbours"), ("deviation", r"deviation of the velocity/$V_1$"))
 figure, axes = figures.columns(3, width=3.5)
 for stiffness, colour in (("1", figures.black), ("0.01", figures.blue)):
     for wide, mark in ((False, "o-"), (True, "s")):
@@ -16,8 +17,14 @@ for stiffness, colour in (("1", figures.black), ("0.01", figures.blue)):
             axis.errorbar([100 * float(r["fraction"]) for r in some], [float(r[name]) for r in some], bars, fmt=mark,
                           color=colour, ms=5, mfc="none" if wide else colour,
                           label="stiffness %s%s" % (stiffness, ", wider box" if wide else ""))
-for axis, (name, text) in zip(axes, panels):
-    axis.axhline(0 if name == "deviation" else 1, color="0.6", lw=0.8)
-    axis.set(xlabel="volume [%]", ylabel=text, xlim=(0, None))
-axes[0].legend()
+lines = [axes[0].axhline(1, **figures.theory, label="one alone"),
+         axes[1].axhline(float(rows[0]["random"]), **figures.theory, label="centres at random, %.2f" % float(rows[0]["random"]))]
+for axis, (_, text) in zip(axes, panels):
+    axis.set(xlabel="volume fraction [%]", ylabel=text, xlim=(0, None))
+for axis, line in zip(axes, lines):
+    axis.margins(y=0.2)
+    axis.legend(handles=[line], loc="upper right")
+axes[2].margins(y=0.1)
+axes[2].set_ylim(0, None)
+axes[2].legend(loc="lower right")
 figures.save(figure, sys.argv[2])
