@@ -241,8 +241,8 @@ Foam::capsuleGroup::nearDirections(const label n) const
     return nearField_->directions(n);
 }
 
-const Foam::nearSurface::sources&
-Foam::capsuleGroup::nearSources(const label i) const
+Foam::nearSurface::sources
+Foam::capsuleGroup::nearSourcesOf(const label i) const
 {
     return capsules_[i].near;
 }

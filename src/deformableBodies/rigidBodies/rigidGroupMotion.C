@@ -75,18 +75,18 @@ std::vector<Foam::vector> Foam::rigidGroup::nearDirections(const label) const
     return directions;
 }
 
-const Foam::nearSurface::sources&
-Foam::rigidGroup::nearSources(const label i) const
+Foam::nearSurface::sources
+Foam::rigidGroup::nearSourcesOf(const label i) const
 {
     const body& x = bodies_[i];
     const tensor R(isSphere() ? tensor::I : x.turn.R());
-    nearSources_.X.clear();
+    sources s;
     for (const vector& r : markers_)
     {
-        nearSources_.X.push_back(x.centre + (R & r));
+        s.X.push_back(x.centre + (R & r));
     }
-    nearSources_.F = projection_->forces(x.forces.cdata());
-    return nearSources_;
+    s.F = projection_->forces(x.forces.cdata());
+    return s;
 }
 
 Foam::scalar Foam::rigidGroup::slipOf(const body& x, const vectorField& u)
