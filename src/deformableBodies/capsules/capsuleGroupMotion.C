@@ -78,7 +78,7 @@ void Foam::capsuleGroup::addNearField(const label i, const bodyStep& s,
     nearField_->add(c.x.data(), c.onFluid.data(), velocity.data(), c.nearMemory,
                     c.lastDeltaT > 0 ? c.lastDeltaT : s.dt,
                     [&](std::vector<vector>& u)
-                    { addOfOthers(i, u.size(), u.data()); });
+                    { addExchanged(i, u.size(), u.data()); });
 }
 
 Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,

@@ -210,6 +210,6 @@ void Foam::neighbourField::update()
                 v -= mean;
             }
         }
-        surface->setOfOthers(std::move(u));
+        surface->setExchanged(std::move(u));
     }
 }

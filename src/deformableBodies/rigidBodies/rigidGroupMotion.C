@@ -57,7 +57,7 @@ Foam::vectorField Foam::rigidGroup::surfaceVelocity(const label i,
         if (exchanges())
         {
             std::vector<vector> ofOthers(n, vector(Zero));
-            addOfOthers(i, n, ofOthers.data());
+            addExchanged(i, n, ofOthers.data());
             projection_->add(ofOthers, v.data());
         }
     }
