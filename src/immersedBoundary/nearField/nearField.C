@@ -37,7 +37,9 @@ Foam::nearField::evaluate(const Lanes& s, Lanes& A, Lanes& C) const
         }
         return y;
     };
-    const Lanes v = 2.5f * t - 1.5f, tt = t * t, t4 = tt * tt, t8 = t4 * t4;
+    static_assert(nearPower == 8, "t8 is t^nearPower");
+    const float scale = nearScale, shift = nearShift;
+    const Lanes v = scale * t - shift, tt = t * t, t4 = tt * tt, t8 = t4 * t4;
     const Lanes far = t * t.sqrt();
     A = far * sum(A_, 0, nFar, t) + t8 * sum(A_, nFar, nFar + nNear, v);
     C = far * t * sum(C_, 0, nFar, t) + t8 * sum(C_, nFar, nFar + nNear, v);

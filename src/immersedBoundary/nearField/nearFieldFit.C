@@ -87,7 +87,7 @@ void Foam::nearField::transform(const deltaKernel& kernel, const bool own)
 {
     // Cut-off of K [1/h]: the rest of the integral is 1e-6 of A
     const double largest = 25;
-    const int nK = 250, nAzimuth = 16;
+    const int nK = 250, nAzimuth = 16, nPolar = 8;
     const transformOf phi(kernel, largest);
     for (int i = 0; i < nK; ++i)
     {
@@ -114,7 +114,7 @@ void Foam::nearField::transform(const deltaKernel& kernel, const bool own)
             }
             return sum;
         };
-        const Eigen::Vector2d smoothed(integral(0, 1, 8, ring));
+        const Eigen::Vector2d smoothed(integral(0, 1, nPolar, ring));
 
         // Transform of G_d; weight of the quadrature over K
         const double x = 0.25 * sqr(K * d_ / h_);
@@ -148,8 +148,8 @@ Foam::nearField::mobility Foam::nearField::exact(const scalar q) const
 // Mean over directions at a wave number near 0
 Foam::scalar Foam::nearField::withheldFlow() const
 {
-    const size_t i = 2;
-    return withheld_[i] / sqr(K_[i]) / 3 * sqr(h_) / mu_;
+    const size_t nearZero = 2;
+    return withheld_[nearZero] / sqr(K_[nearZero]) / 3 * sqr(h_) / mu_;
 }
 
 // Least squares over distances up to last, beyond which the difference decays as q^-3, and
@@ -161,24 +161,28 @@ void Foam::nearField::fit()
     const mobility atLast(exact(last));
     c_ = 10 * sqr(d_ / h_);
 
+    // In terms of x the distances are q/last = x up to x = 1, then 1/(1 - inverse (x - 1)),
+    // which is 20 at the largest x
     const int n = 300;
+    const double largestX = 1.25, inverse = 3.8;
     Eigen::MatrixXd A(n, nFar + nNear), C(A);
     Eigen::VectorXd valuesA(n), valuesC(n);
     for (int i = 0; i < n; ++i)
     {
-        const double x = 1.25 * (i + 0.5) / n;
-        const double q = last * (x < 1 ? x : 1 / (1 - 3.8 * (x - 1)));
+        const double x = largestX * (i + 0.5) / n;
+        const double q = last * (x < 1 ? x : 1 / (1 - inverse * (x - 1)));
         const mobility m(q < last ? exact(q)
                                   : mobility{atLast.A * std::pow(last / q, 3),
                                              atLast.C * std::pow(last / q, 5)});
         const double t = 1 / (1 + q * q / c_);
-        double far = std::pow(t, 1.5), near = std::pow(t, 8);
+        double far = std::pow(t, 1.5), near = std::pow(t, nearPower);
         for (int k = nFar - 1; k >= 0; --k, far *= t)
         {
             A(i, k) = far;
             C(i, k) = far * t;
         }
-        for (int k = nFar + nNear - 1; k >= nFar; --k, near *= 2.5 * t - 1.5)
+        const double v = nearScale * t - nearShift;
+        for (int k = nFar + nNear - 1; k >= nFar; --k, near *= v)
         {
             A(i, k) = C(i, k) = near;
         }
