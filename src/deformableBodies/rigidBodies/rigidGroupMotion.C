@@ -4,6 +4,13 @@
 
 #include "rigidGroup.H"
 
+namespace
+{
+// Rate at which the slowest swirl in a sphere decays, over nu/a^2: the square of the first root
+// of tan x = x, 4.49
+const Foam::scalar slowestSwirl = 20.2;
+} // namespace
+
 Foam::label Foam::rigidGroup::nMarkers() const
 {
     return bodies_.size() * markers_.size();
@@ -159,7 +166,7 @@ void Foam::rigidGroup::step(body& x, const surroundings& around,
     const scalar fluidMass = scene_.rho * shape_.volume();
     const rigidStep::properties properties{
         densityRatio_, fluidMass, fluidMass * shape_.inertia(),
-        sqr(shape_.radius()) * scene_.rho / (20.2 * scene_.mu),
+        sqr(shape_.radius()) * scene_.rho / (slowestSwirl * scene_.mu),
         meanNearMobility_};
     const vectorField r(x.X - x.expected);
     const tensor R(isSphere() ? tensor::I : x.expectedTurn.R());
