@@ -99,8 +99,8 @@ struct column
         {
             const double x = raisedHeight(i, raised);
             if (x > n - 3) continue;
-            kernelStencil s;
-            kernel.stencil(x, normal ? 0 : 0.5, normal, n - 1, n, false, s);
+            const kernelStencil s(
+                kernel.stencil(x, normal ? 0 : 0.5, normal, n - 1));
             for (label q = 0; q < s.size; ++q)
             {
                 w(s.index[q] - normal, i) = s.weight[q];
