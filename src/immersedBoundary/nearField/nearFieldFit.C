@@ -125,7 +125,7 @@ void Foam::nearField::transform(const deltaKernel& kernel, const bool own)
         K_.push_back(K);
         trace_.push_back(weight * (2 * filter - smoothed[0]));
         along_.push_back(weight * -smoothed[1]);
-        withheld_.push_back(2 - smoothed[0]);
+        unresolved_.push_back(2 - smoothed[0]);
     }
 }
 
@@ -146,10 +146,10 @@ Foam::nearField::mobility Foam::nearField::exact(const scalar q) const
 }
 
 // Mean over directions at a wave number near 0
-Foam::scalar Foam::nearField::withheldFlow() const
+Foam::scalar Foam::nearField::unresolvedFlow() const
 {
     const size_t nearZero = 2;
-    return withheld_[nearZero] / sqr(K_[nearZero]) / 3 * sqr(h_) / mu_;
+    return unresolved_[nearZero] / sqr(K_[nearZero]) / 3 * sqr(h_) / mu_;
 }
 
 // Least squares over distances up to last, beyond which the difference decays as q^-3, and
@@ -218,7 +218,7 @@ std::vector<double> Foam::nearField::rates(const scalar k, const scalar nu,
         const double K = std::sqrt(sqr(wave) + sqr(z));
         const size_t i = min(size_t(K / K_.back() * K_.size()), K_.size() - 1);
         squares.push_back(sqr(K));
-        added.push_back(max(withheld_[i], 0.0) / sqr(K));
+        added.push_back(max(unresolved_[i], 0.0) / sqr(K));
         sum += added.back();
     }
     std::vector<double> share(n, 0), time(n, 0);
