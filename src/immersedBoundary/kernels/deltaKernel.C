@@ -2,11 +2,8 @@
 
 #include "deltaKernel.H"
 #include "dictionaryChecks.H"
-
-// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include "quietEigen.H"
 #include <cmath>
-#include <Eigen/Core>
 
 const Foam::Enum<Foam::deltaKernel::kernelType> Foam::deltaKernel::names({
     {kernelType::Roma3, "Roma3"},

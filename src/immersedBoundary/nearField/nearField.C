@@ -3,22 +3,14 @@
 // Sums over the points of surfaces
 
 #include "nearField.H"
+#include "floatLanes.H"
 #include "mathematicalConstants.H"
-
-// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#include <Eigen/Core>
 #include <algorithm>
 
 namespace
 {
 const double pi = Foam::constant::mathematical::pi;
-
-//- Number of points that the sum handles as one vector
-constexpr int nLanes = 16;
-using lanes = Eigen::Array<float, nLanes, 1>;
-using lanesAt = Eigen::Map<lanes>;
-using lanesOf = Eigen::Map<const lanes>;
+using namespace Foam::floatLanes;
 using oneLane = Eigen::Array<float, 1, 1>;
 } // namespace
 
@@ -56,7 +48,7 @@ Foam::nearField::pointSet::pointSet(const std::vector<vector>& X,
                                     const std::vector<vector>& forces)
     : n(X.size())
 {
-    const label m = (n + nLanes - 1) / nLanes * nLanes;
+    const label m = floatLanes::padded(n);
     fromOrigin.assign(3 * m, 0);
     F.assign(3 * m, 0);
     if (n) origin = X[0];
@@ -137,7 +129,7 @@ void Foam::nearField::velocity(const vector* X, const vector* F, const label n,
                                vector* u) const
 {
     // Arrays of components, padded with points without force to whole vectors
-    const int m = (n + nLanes - 1) / nLanes * nLanes;
+    const int m = padded(n);
     std::vector<float> numbers(9 * m, 0);
     float* const x = numbers.data();
     float* const f = x + 3 * m;

@@ -4,9 +4,7 @@
 
 #include "nearField.H"
 #include "mathematicalConstants.H"
-
-// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include "quietEigen.H"
 #include <Eigen/QR>
 #include <algorithm>
 

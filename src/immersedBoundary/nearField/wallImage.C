@@ -4,12 +4,9 @@
 
 #include "wallImage.H"
 #include "mathematicalConstants.H"
+#include "quietEigen.H"
 #include "wallImageTable.H"
-
-// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <algorithm>
-#include <Eigen/Core>
 
 namespace
 {

@@ -6,9 +6,7 @@
 #include "wallImageTable.H"
 #include "mathematicalConstants.H"
 #include "wallImage.H"
-
-// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include "quietEigen.H"
 #include <Eigen/LU>
 
 namespace
