@@ -1,10 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "sphericalHarmonics.H"
-
-// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#include <Eigen/Core>
+#include "quietEigen.H"
 #include <cmath>
 
 namespace

@@ -3,10 +3,7 @@
 // Nodes, order of the coefficients and tables of a grid
 
 #include "sphericalHarmonics.H"
-
-// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#include <Eigen/Core>
+#include "quietEigen.H"
 #include <cmath>
 
 namespace

@@ -9,55 +9,55 @@
 namespace
 {
 // Error of a series up to a degree
-Foam::scalar ofHarmonics(const Foam::label degree)
+Foam::scalar errorOfHarmonics(const Foam::label degree)
 {
     return degree < 5 ? 0.015 : 0.003 * Foam::sqr(6.0 / degree);
 }
 
 // Error of Adams-Bashforth 2. step: time step times the rate of the flow. A thicker fluid
 // inside lags by more (doc/stability.md)
-Foam::scalar ofStep(const Foam::scalar step)
+Foam::scalar errorOfStep(const Foam::scalar step)
 {
     return 6 * Foam::sqr(step);
 }
 
 // Error of stabilised motion over that of Adams-Bashforth 2, where the area is far stiffer
 // than the shear: the shape follows late. Measured at C = 500
-Foam::scalar ofStiffArea(const Foam::scalar areaOverShear)
+Foam::scalar lagOfStiffArea(const Foam::scalar areaOverShear)
 {
     return 11.5 * std::sqrt(areaOverShear) / 6;
 }
 
-// Error of a near field of fewer degrees than 8, with bending at Re 10
-const Foam::scalar ofFewerDegrees = 0.015;
+// Error of a near field of fewer degrees than capsuleNearField::fullDegree, with bending at Re 10
+const Foam::scalar errorOfFewerDegrees = 0.015;
 
 // Least radius in cells and largest Ca_G for which these laws hold
 const Foam::scalar leastRadius = 3, largestCa = 2;
 
 // Error of a sphere due to the smoothing of the kernel: the largest, found for stiff
 // capsules
-Foam::scalar ofCells(const Foam::scalar radius)
+Foam::scalar errorOfSmoothing(const Foam::scalar radius)
 {
     return 0.115 * std::pow(4 / radius, 1.3);
 }
 
 // Error of the stress of a suspension without near field: the kernel enlarges the volume
 // that the fluid feels. With near field it is 0.5 % in slow flow
-Foam::scalar ofStress(const Foam::scalar radius)
+Foam::scalar errorOfStress(const Foam::scalar radius)
 {
     return Foam::pow3(1 + 0.53 / radius) - 1;
 }
 
 // Error with a near field in a flow with inertia, due to the smoothing of the kernel:
 // first order in h. Measured for Re = rho rate a^2/mu from 3 to 30
-Foam::scalar ofInertia(const Foam::scalar Re, const Foam::scalar radius)
+Foam::scalar errorOfInertia(const Foam::scalar Re, const Foam::scalar radius)
 {
     return 0.005 * Re * 4 / radius;
 }
 
 // Error of the distance between markers, in cells, where the shape is stretched by a
 // quarter. Measured from 0.9 to 1.6
-Foam::scalar ofMarkers(const Foam::scalar spacing)
+Foam::scalar errorOfMarkers(const Foam::scalar spacing)
 {
     return 3e-4 * std::pow(Foam::max(spacing, Foam::scalar(0.9)), 6);
 }
@@ -74,14 +74,14 @@ Foam::string number(const Foam::scalar x)
 Foam::label Foam::capsuleReport::enoughHarmonics(const scalar error) const
 {
     label degree = group_.isMeasured() ? 5 : 12;
-    while (ofHarmonics(degree) > error)
+    while (errorOfHarmonics(degree) > error)
         ++degree;
     return degree;
 }
 
 Foam::scalar Foam::capsuleReport::enoughMarkers(const scalar error) const
 {
-    return min(1.6, max(0.9, std::pow(error / ofMarkers(1), 1.0 / 6)));
+    return min(1.6, max(0.9, std::pow(error / errorOfMarkers(1), 1.0 / 6)));
 }
 
 Foam::scalar Foam::capsuleReport::errorOfCells(const bool nearField) const
@@ -94,10 +94,10 @@ Foam::scalar Foam::capsuleReport::errorOfCells(const bool nearField) const
     {
         return -1;
     }
-    if (!nearField) return ofCells(radius);
+    if (!nearField) return errorOfSmoothing(radius);
     const bool fewer = group_.nearField_ && group_.nearField_->isReduced();
     return (group_.viscosityRatio_ == 1 ? 0.003 : 0.007) +
-           (fewer ? ofFewerDegrees : 0);
+           (fewer ? errorOfFewerDegrees : 0);
 }
 
 Foam::scalar Foam::capsuleReport::cellsOfRadius() const
@@ -130,11 +130,11 @@ Foam::expectedError Foam::capsuleReport::cellError() const
     {
         by += string(group_.sphere_ ? "" : ", measured on spheres only") +
               " without near field, which makes stresses " +
-              number(100 * ofStress(radius)) + " % too high";
+              number(100 * errorOfStress(radius)) + " % too high";
         remedy = [this](const scalar left)
         {
             scalar cells = leastRadius;
-            while (ofCells(cells) > left)
+            while (errorOfSmoothing(cells) > left)
                 cells *= 1.01;
             return "cells of " + atMost(group_.radius_ / cells) +
                    " m and smaller";
@@ -146,13 +146,13 @@ Foam::expectedError Foam::capsuleReport::cellError() const
 Foam::expectedError Foam::capsuleReport::inertiaError(const scalar Re) const
 {
     const scalar radius = cellsOfRadius();
-    return {"inertia", group_.isMeasured() ? ofInertia(Re, radius) : -1,
+    return {"inertia", group_.isMeasured() ? errorOfInertia(Re, radius) : -1,
             "Re " + number(Re) + ", of the stress twice that",
             [=](const scalar left)
             {
                 return "cells of " +
                        atMost(group_.radius_ * left /
-                              (radius * ofInertia(Re, radius))) +
+                              (radius * errorOfInertia(Re, radius))) +
                        " m and smaller";
             }};
 }
@@ -160,7 +160,7 @@ Foam::expectedError Foam::capsuleReport::inertiaError(const scalar Re) const
 Foam::expectedError Foam::capsuleReport::harmonicsError() const
 {
     const label degree = group_.harmonics().degree();
-    return {"harmonics", group_.isMeasured() ? ofHarmonics(degree) : -1,
+    return {"harmonics", group_.isMeasured() ? errorOfHarmonics(degree) : -1,
             "N = " + Foam::name(degree),
             [=](const scalar left)
             {
@@ -173,13 +173,13 @@ Foam::expectedError Foam::capsuleReport::harmonicsError() const
 
 Foam::expectedError Foam::capsuleReport::markerError() const
 {
-    return {"markers", ofMarkers(group_.markerSpacing_),
+    return {"markers", errorOfMarkers(group_.markerSpacing_),
             "up to " + number(group_.markerSpacing_) + " cells apart",
             [this](const scalar left)
             {
                 const scalar enough = enoughMarkers(left);
                 return enough < group_.markerSpacing_ &&
-                               ofMarkers(enough) <= left * (1 + 1e-9)
+                               errorOfMarkers(enough) <= left * (1 + 1e-9)
                            ? "markerSpacing " + atMost(enough)
                            : string();
             }};
@@ -202,11 +202,12 @@ Foam::expectedError Foam::capsuleReport::stepError(const scalar rate) const
     const bool known = rate > 0 && dt > 0 && dt < GREAT;
     const scalar lag =
         max(scalar(1), 0.25 * group_.viscosityRatio_) *
-        (stiffArea ? ofStiffArea(law.areaModulus() / law.shearModulus()) : 1);
+        (stiffArea ? lagOfStiffArea(law.areaModulus() / law.shearModulus())
+                   : 1);
     const auto error = [rate, lag](const scalar dt)
-    { return lag * ofStep(rate * dt); };
+    { return lag * errorOfStep(rate * dt); };
     const auto largest = [rate, lag](const scalar error)
-    { return std::sqrt(error / (lag * ofStep(1))) / rate; };
+    { return std::sqrt(error / (lag * errorOfStep(1))) / rate; };
     return {"step",
             known ? error(dt) : -1,
             (known
@@ -227,7 +228,7 @@ Foam::expectedErrors Foam::capsuleReport::errors() const
         e.parts.push_back(cellError());
         const scalar Re = group_.scene_.rho * flow.rate * sqr(group_.radius_) /
                           group_.scene_.mu;
-        if (group_.nearField_ && ofInertia(Re, cellsOfRadius()) > 1e-3)
+        if (group_.nearField_ && errorOfInertia(Re, cellsOfRadius()) > 1e-3)
         {
             e.parts.push_back(inertiaError(Re));
         }
@@ -277,7 +278,7 @@ std::vector<Foam::errorIndicator> Foam::capsuleReport::indicators() const
     return {
         {"highest harmonics", highest, 0.03,
          "entry harmonics to more (on finer cells, where they are as many as "
-         "the cells move), or " +
+         "the cells resolve), or " +
              smallerSteps(group_.scene_) + " if the membrane wrinkles"},
         {"change of volume", change, 1e-3, smallerSteps(group_.scene_)}};
 }

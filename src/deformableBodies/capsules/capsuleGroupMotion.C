@@ -78,7 +78,7 @@ void Foam::capsuleGroup::addNearField(const label i, const bodyStep& s,
     nearField_->add(c.x.data(), c.onFluid.data(), velocity.data(), c.nearMemory,
                     c.lastDeltaT > 0 ? c.lastDeltaT : s.dt,
                     [&](std::vector<vector>& u)
-                    { addOfOthers(i, u.size(), u.data()); });
+                    { addExchanged(i, u.size(), u.data()); });
 }
 
 Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
@@ -241,8 +241,8 @@ Foam::capsuleGroup::nearDirections(const label n) const
     return nearField_->directions(n);
 }
 
-const Foam::nearSurface::sources&
-Foam::capsuleGroup::nearSources(const label i) const
+Foam::nearSurface::sources
+Foam::capsuleGroup::nearSourcesOf(const label i) const
 {
     return capsules_[i].near;
 }

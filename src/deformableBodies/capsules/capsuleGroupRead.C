@@ -107,8 +107,8 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     sphere_ = form == "sphere";
     round_ = sphere_ || form == "ellipsoid";
     nucleated_ = dict.found("nucleus");
-    const label moved = degreeOfMesh(shape);
-    const label degree = readDegree(dict, moved);
+    const label meshDegree = degreeOfMesh(shape);
+    const label degree = readDegree(dict, meshDegree);
     const scalar dealiasing = readDealiasing(dict);
     shearPlane_ = groupEntries(this->name(), dict, scene_).shearPlane();
     readGravity(dict);
@@ -143,7 +143,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                                   scene_.effects, ratio},
                                  scene_, nearField_.get());
     filter_ = readFilter(dict, harmonics());
-    warnOfHarmonics(dict, degree, moved);
+    warnOfHarmonics(dict, degree, meshDegree);
     readStart(dict);
     judgeSize(dict);
 
@@ -153,16 +153,15 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
 Foam::capsuleGroup::~capsuleGroup() {}
 
 Foam::label Foam::capsuleGroup::readDegree(const dictionary& dict,
-                                           const label moved) const
+                                           const label meshDegree) const
 {
-    const label degree = dict.getOrDefault<label>(
-        "harmonics",
-        min(moved, groupEntries(name(), dict, scene_)
-                       .byAccuracy<label>("harmonics", {12, 16, 24},
-                                          [this](const scalar wanted) {
-                                              return report_->enoughHarmonics(
-                                                  0.15 * wanted);
-                                          })));
+    const auto enough = [this](const scalar wanted)
+    { return report_->enoughHarmonics(0.15 * wanted); };
+    const label byAccuracy =
+        groupEntries(name(), dict, scene_)
+            .byAccuracy<label>("harmonics", {12, 16, 24}, enough);
+    const label degree =
+        dict.getOrDefault<label>("harmonics", min(meshDegree, byAccuracy));
     if (degree < 4 || degree > 64)
     {
         refuse(dict, "harmonics", Foam::name(degree), "4 to 64");
@@ -243,17 +242,18 @@ Foam::capsuleGroup::stressFree(const dictionary& dict,
 
 void Foam::capsuleGroup::warnOfHarmonics(const dictionary& dict,
                                          const label degree,
-                                         const label moved) const
+                                         const label meshDegree) const
 {
-    if (degree <= moved) return;
+    if (degree <= meshDegree) return;
     const scalar h = cmptMax(scene_.grid.h());
     IOWarningInFunction(dict)
         << "entry harmonics: " << degree << " in group " << name()
-        << ", but the mesh moves degrees up to " << moved
+        << ", but the mesh resolves degrees up to " << meshDegree
         << " on a body of radius " << radius_ << " = " << radius_ / h << " h"
         << nl << "    Strain of higher degrees does not relax and "
         << "makes the tension noisy: leave the entry out, reduce it to "
-        << moved << ", or use cells below " << 2.4 * radius_ / degree << endl;
+        << meshDegree << ", or use cells below " << 2.4 * radius_ / degree
+        << endl;
 }
 
 // Limits of the near field: doc/choosing.md

@@ -51,10 +51,12 @@ scalar reduceNearField(capsuleNearField& nearField, const scalar limit,
                        const scalar smoothed, const scalar deltaT, string& note)
 {
     const scalar step = min(deltaT, smoothed);
-    const scalar degree = 8 * limit / step;
+    const label full = capsuleNearField::fullDegree;
+    const scalar degree = full * limit / step;
     nearField.setTaper(degree);
     note += ", near field up to degree " + Foam::name(degree) +
-            " in place of 8: deltaT above " + Foam::name(limit);
+            " in place of " + Foam::name(full) + ": deltaT above " +
+            Foam::name(limit);
     return step;
 }
 } // namespace

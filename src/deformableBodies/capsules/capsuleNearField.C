@@ -34,7 +34,7 @@ Foam::capsuleNearField::capsuleNearField(const label degree,
                 degree_[grid.index(n, m, m > 0)] = n;
         }
     }
-    setTaper(8);
+    setTaper(fullDegree);
 }
 
 void Foam::capsuleNearField::setInertia(const scalar nu, const scalar radius)
@@ -48,7 +48,7 @@ void Foam::capsuleNearField::setInertia(const scalar nu, const scalar radius)
 
 void Foam::capsuleNearField::setTaper(const scalar degree)
 {
-    reduced_ = degree < 8;
+    reduced_ = degree < fullDegree;
     for (size_t i = 0; i < taper_.size(); ++i)
     {
         taper_[i] = std::exp(-std::pow(degree_[i] / degree, 8));

@@ -51,6 +51,33 @@ Foam::scalar Foam::filamentGroup::forcingGain(const bodyStep& s) const
     return scene_.rho * length * sqr(h_ / squares) / (s.impulseFraction * s.dt);
 }
 
+void Foam::filamentGroup::addLoads(const label i, const scalar gain,
+                                   const bodyStep& s,
+                                   filament::surroundings& around) const
+{
+    const body& x = bodies_[i];
+    const auto ahead = [&]()
+    {
+        vectorField X;
+        x.line.ahead(s.dt, X);
+        return pointsOf(mine()[i], X, x.line.velocities());
+    };
+    scene_.forces.add(name(), mine()[i], ahead, s.time, scene_.effects,
+                      around.force);
+    scene_.forces.addStiffness(name(), mine()[i], around.stiffness);
+
+    // Stiffness above what an explicit step allows: twice that of a contact, as the other
+    // body gives way alike in the same step
+    const scalar borne = gain * points_.size() / (properties_.length * s.dt);
+    forAll(around.force, k)
+    {
+        const scalar length = properties_.lengthOf(k);
+        around.force[k] /= length;
+        around.stiffness[k] =
+            max(scalar(0), 2 * around.stiffness[k] / length - borne);
+    }
+}
+
 // Forces, drag and velocity of the fluid that a body feels during the step
 void Foam::filamentGroup::surround(const label i, const vector* U,
                                    const scalar* lineDensity, const bodyStep& s,
@@ -65,26 +92,7 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
                             : drag_ * properties_.length / max(n, label(1));
     if (scene_.forces.actOn(name(), mine()[i]))
     {
-        const auto ahead = [&]()
-        {
-            vectorField X;
-            x.line.ahead(s.dt, X);
-            return pointsOf(mine()[i], X, x.line.velocities());
-        };
-        scene_.forces.add(name(), mine()[i], ahead, s.time, scene_.effects,
-                          around.force);
-        scene_.forces.addStiffness(name(), mine()[i], around.stiffness);
-
-        // Stiffness above what an explicit step allows: twice that of a contact, as the
-        // other body gives way alike in the same step
-        const scalar borne = gain * n / (properties_.length * s.dt);
-        forAll(around.force, k)
-        {
-            const scalar length = properties_.lengthOf(k);
-            around.force[k] /= length;
-            around.stiffness[k] =
-                max(scalar(0), 2 * around.stiffness[k] / length - borne);
-        }
+        addLoads(i, gain, s, around);
     }
     if (base_.valid())
     {
@@ -108,10 +116,12 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
             // The fluid in its place would accelerate like this
             const vector inertia(crossSection_ * scene_.rho *
                                  properties_.length / n / x.dt * change[k]);
-            const label i = points_[k].segment;
+            const label node = points_[k].segment;
             const scalar at = points_[k].at;
-            around.force[i] += (1 - at) / properties_.lengthOf(i) * inertia;
-            around.force[i + 1] += at / properties_.lengthOf(i + 1) * inertia;
+            around.force[node] +=
+                (1 - at) / properties_.lengthOf(node) * inertia;
+            around.force[node + 1] +=
+                at / properties_.lengthOf(node + 1) * inertia;
         }
     }
     if (couple_)

@@ -1,7 +1,8 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+// Before other headers of Eigen
+#include "quietEigen.H"
+
 #include "filamentNewton.H"
 
 namespace

@@ -1,9 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "coarsePoints.H"
-
-// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include "floatLanes.H"
 #include <Eigen/QR>
 #include <algorithm>
 #include <limits>
@@ -11,12 +9,7 @@
 namespace
 {
 using namespace Foam;
-
-//- Number of points that products handle as one vector
-constexpr int nLanes = 16;
-using lanes = Eigen::Array<float, nLanes, 1>;
-using lanesOf = Eigen::Map<const lanes>;
-using lanesAt = Eigen::Map<lanes>;
+using namespace Foam::floatLanes;
 
 //- Indices of n of the points, each the one furthest from those before
 std::vector<label> spread(const std::vector<vector>& X, const label n)
@@ -60,7 +53,7 @@ Eigen::RowVectorXd polynomials(const vector& n, const label p)
 Foam::coarsePoints::coarsePoints(const std::vector<vector>& directions,
                                  const label degree, const label nCoarse)
     : n_(directions.size()),
-      padded_((n_ + nLanes - 1) / nLanes * nLanes),
+      padded_(padded(n_)),
       which_(spread(directions, nCoarse)),
       P_(padded_ * which_.size(), 0)
 {

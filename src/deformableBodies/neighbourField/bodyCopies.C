@@ -32,12 +32,12 @@ std::vector<Foam::bodyCopies::body> Foam::bodyCopies::own() const
         if (!group.nearSources()) continue;
         forAll(group.mine(), i)
         {
-            const nearSurface::sources& s = group.nearSources()->nearSources(i);
+            nearSurface::sources s(group.nearSources()->nearSourcesOf(i));
             body b;
             b.number = numbers_.number(g, group.mine()[i]);
             b.group = g;
-            b.X = s.X;
-            b.F = s.F;
+            b.X = std::move(s.X);
+            b.F = std::move(s.F);
             b.centre = b.X.empty() ? group.centre(i) : point(Zero);
             for (const vector& x : b.X)
             {

@@ -58,8 +58,8 @@ Foam::neighbourField::neighbourField(PtrList<bodyGroup>& groups,
     if (!nucleiOnly_ && grid_.periodic())
     {
         const scalar h = grid_.h().x();
-        withheld_ =
-            nearField(kernel_, h, mu_, h, nearField::OTHER).withheldFlow();
+        unresolved_ =
+            nearField(kernel_, h, mu_, h, nearField::OTHER).unresolvedFlow();
     }
 }
 
@@ -166,7 +166,7 @@ std::vector<Foam::vector> Foam::neighbourField::velocities(const label k)
     return u;
 }
 
-Foam::vector Foam::neighbourField::withheldMean() const
+Foam::vector Foam::neighbourField::unresolvedMean() const
 {
     vector force(Zero);
     for (const bodyCopies::body& b : copies_.bodies())
@@ -178,7 +178,7 @@ Foam::vector Foam::neighbourField::withheldMean() const
         }
     }
     reduce(force, sumOp<vector>());
-    return withheld_ / grid_.volume() * force;
+    return unresolved_ / grid_.volume() * force;
 }
 
 void Foam::neighbourField::update()
@@ -190,7 +190,7 @@ void Foam::neighbourField::update()
     {
         add(p);
     }
-    const vector mean(withheldMean());
+    const vector mean(unresolvedMean());
     std::map<label, label> byNumber;
     for (size_t k = 0; k < copies_.bodies().size(); ++k)
     {
@@ -210,6 +210,6 @@ void Foam::neighbourField::update()
                 v -= mean;
             }
         }
-        surface->setOfOthers(std::move(u));
+        surface->setExchanged(std::move(u));
     }
 }

@@ -4,6 +4,13 @@
 
 #include "rigidGroup.H"
 
+namespace
+{
+// Rate at which the slowest swirl in a sphere decays, over nu/a^2: the square of the first root
+// of tan x = x, 4.49
+const Foam::scalar slowestSwirl = 20.2;
+} // namespace
+
 Foam::label Foam::rigidGroup::nMarkers() const
 {
     return bodies_.size() * markers_.size();
@@ -57,7 +64,7 @@ Foam::vectorField Foam::rigidGroup::surfaceVelocity(const label i,
         if (exchanges())
         {
             std::vector<vector> ofOthers(n, vector(Zero));
-            addOfOthers(i, n, ofOthers.data());
+            addExchanged(i, n, ofOthers.data());
             projection_->add(ofOthers, v.data());
         }
     }
@@ -75,18 +82,18 @@ std::vector<Foam::vector> Foam::rigidGroup::nearDirections(const label) const
     return directions;
 }
 
-const Foam::nearSurface::sources&
-Foam::rigidGroup::nearSources(const label i) const
+Foam::nearSurface::sources
+Foam::rigidGroup::nearSourcesOf(const label i) const
 {
     const body& x = bodies_[i];
     const tensor R(isSphere() ? tensor::I : x.turn.R());
-    nearSources_.X.clear();
+    sources s;
     for (const vector& r : markers_)
     {
-        nearSources_.X.push_back(x.centre + (R & r));
+        s.X.push_back(x.centre + (R & r));
     }
-    nearSources_.F = projection_->forces(x.forces.cdata());
-    return nearSources_;
+    s.F = projection_->forces(x.forces.cdata());
+    return s;
 }
 
 Foam::scalar Foam::rigidGroup::slipOf(const body& x, const vectorField& u)
@@ -159,7 +166,7 @@ void Foam::rigidGroup::step(body& x, const surroundings& around,
     const scalar fluidMass = scene_.rho * shape_.volume();
     const rigidStep::properties properties{
         densityRatio_, fluidMass, fluidMass * shape_.inertia(),
-        sqr(shape_.radius()) * scene_.rho / (20.2 * scene_.mu),
+        sqr(shape_.radius()) * scene_.rho / (slowestSwirl * scene_.mu),
         meanNearMobility_};
     const vectorField r(x.X - x.expected);
     const tensor R(isSphere() ? tensor::I : x.expectedTurn.R());

@@ -20,6 +20,20 @@ namespace
 {
 using namespace Foam;
 
+//- Points of the surface for contacts and loads per marker. They are a third as far apart as
+//  markers: at the spacing of the markers the force between touching surfaces is too small
+const label pointsPerMarker = 9;
+
+//- Number of distances at which the product of two kernels is tabulated
+const label nProducts = 200;
+
+//- Depth of the markers below the surface without near field, so that the drag is that of
+//  the radius [cells]
+scalar insetOf(const deltaKernel::kernelType kernel)
+{
+    return kernel == deltaKernel::Roma3 ? 0.3 : 0.45;
+}
+
 //- The integral of phi(s) phi(s - r) over s, for r >= 0 in cells
 scalar productOf(const deltaKernel& kernel, const scalar r)
 {
@@ -148,42 +162,43 @@ void Foam::rigidGroup::setNearField(const dictionary& dict,
            : entry.whyNot);
 }
 
-// Markers at the wanted spacing; overlap of their kernels; their near-field mobility
+// Markers at the wanted spacing, and points of the surface
 void Foam::rigidGroup::makeMarkers(const scalar spacing)
 {
     const scalar inset =
-        nearField_
-            ? 0
-            : (scene_.kernel.type() == deltaKernel::Roma3 ? 0.3 : 0.45) * h_;
+        nearField_ ? 0 : insetOf(scene_.kernel.type()) * h_;
     const label n =
         2 * max(label(6),
                 label(std::ceil(0.5 * shape_.area() / sqr(spacing * h_))));
-    shape_.points(n, inset, markers_, areas_);
+    vectorField markerAreas;
+    shape_.points(n, inset, markers_, markerAreas);
     if (densityRatio_ < 1)
     {
-        const tensor volume(sum(areas_ * markers_));
-        perVolume_ = inv(volume) & areas_;
+        const tensor volume(sum(markerAreas * markers_));
+        perVolume_ = inv(volume) & markerAreas;
     }
-
-    // Points of contacts are a third as far apart as markers: at the spacing of the markers
-    // the force between touching surfaces is too small
-    shape_.points(9 * n, 0, surface_, areas_);
+    shape_.points(pointsPerMarker * n, 0, surface_, areas_);
 
     // The markers keep the order of the spiral, which is that of their forces in a state
     const labelList order(patchOrder(surface_));
     surface_ = vectorField(surface_, order);
     areas_ = vectorField(areas_, order);
+    findOverlap();
+    if (nearField_) findNearMobility();
+}
 
-    // In cells of any direction: on average over three positions of the body
+// Distances are in cells of any direction, on average over three positions of the body
+void Foam::rigidGroup::findOverlap()
+{
     const scalar width = 2 * scene_.kernel.reach();
-    scalarField psi(200);
+    scalarField psi(nProducts);
     forAll(psi, i)
     {
         psi[i] = productOf(scene_.kernel, width * i / (psi.size() - 1));
     }
     // The spiral rises along z
     const scalar furthest = std::sqrt(3.0) * width * h_;
-    overlap_.setSize(n, 0);
+    overlap_.setSize(markers_.size(), 0);
     for (const vector& axis :
          {vector(0, 0, 1), vector(1, 0, 1), vector(1, 1, 1)})
     {
@@ -204,8 +219,12 @@ void Foam::rigidGroup::makeMarkers(const scalar spacing)
             }
         }
     }
+}
 
-    if (!nearField_) return;
+// The mobility is the velocity of the markers by a unit force on each
+void Foam::rigidGroup::findNearMobility()
+{
+    const label n = markers_.size();
     const label degree = max(label(1), label(1.6 * shape_.radius() / h_));
     projection_.reset(new coarsePoints(nearDirections(n), degree, n));
     vectorField u(n);

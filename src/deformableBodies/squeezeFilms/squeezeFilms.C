@@ -74,19 +74,24 @@ Foam::string Foam::squeezeFilms::describe()
 
 Foam::scalar Foam::squeezeFilms::lack(const scalar gap)
 {
-    // Measured at radii of 3, 4 and 6 cells: 0.81 at 0.1 cells, 0.57 to 0.61 at 0.25, 0.28 to
-    // 0.35 at 0.5, 0.08 to 0.10 at 1. No film at the largest gap
+    // Fit to what is measured at radii of 3, 4 and 6 cells: 0.81 at 0.1 cells, 0.57 to 0.61 at
+    // 0.25, 0.28 to 0.35 at 0.5, 0.08 to 0.10 at 1 (doc/developer/notes.md, "Films of
+    // spheres"). No film at the largest gap
+    const scalar decay = 2.6, rounding = 0.04;
+    const int endPower = 8;
     if (gap >= largestGap) return 0;
-    return std::exp(-2.6 * sqr(gap) / (gap + 0.04)) *
-           (1 - std::pow(gap / largestGap, 8));
+    return std::exp(-decay * sqr(gap) / (gap + rounding)) *
+           (1 - std::pow(gap / largestGap, endPower));
 }
 
 Foam::scalar Foam::squeezeFilms::lackAtWall(const scalar gap)
 {
-    // Measured at radii of 3, 4 and 6 cells: 0.66 to 0.71 at 0.25 cells, 0.41 to 0.47 at 0.5,
-    // 0.01 to 0.08 at 1; at 4 cells 0.87 at 0.1
+    // Fit to what is measured at radii of 3, 4 and 6 cells: 0.66 to 0.71 at 0.25 cells, 0.41 to
+    // 0.47 at 0.5, 0.01 to 0.08 at 1; at 4 cells 0.87 at 0.1 (doc/developer/notes.md, "Films
+    // of spheres")
+    const scalar linear = 1.36, square = 0.45, cubic = 0.85;
     if (gap >= largestGap) return 0;
-    return std::exp(-gap * (1.36 + gap * (0.45 + 0.85 * gap)));
+    return std::exp(-gap * (linear + gap * (square + cubic * gap)));
 }
 
 Foam::scalar Foam::squeezeFilms::resistance(

@@ -5,9 +5,7 @@
 
 #include "lineSolver.H"
 
-// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#include <Eigen/Dense>
+#include "quietEigen.H"
 
 Foam::lineSolver::piece Foam::lineSolver::makePiece(const label p) const
 {

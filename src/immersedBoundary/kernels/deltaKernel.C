@@ -2,16 +2,47 @@
 
 #include "deltaKernel.H"
 #include "dictionaryChecks.H"
-
-// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include "quietEigen.H"
 #include <cmath>
-#include <Eigen/Core>
 
 const Foam::Enum<Foam::deltaKernel::kernelType> Foam::deltaKernel::names({
     {kernelType::Roma3, "Roma3"},
     {kernelType::Peskin4, "Peskin4"},
 });
+
+namespace
+{
+using namespace Foam;
+
+// Multiply the weights by a + b r, so that the sum is 1 and the first moment 0
+void correctMoments(const scalar position, kernelStencil& s)
+{
+    scalar s0 = 0, s1 = 0, s2 = 0;
+    for (label k = 0; k < s.size; ++k)
+    {
+        const scalar r = s.index[k] - position, w = s.weight[k];
+        s0 += w;
+        s1 += w * r;
+        s2 += w * r * r;
+    }
+    // If one point has all the weight, b is not defined and is set to 0
+    const scalar det = s0 * s2 - s1 * s1;
+    const bool line = det > 1e-9 * s0 * s2;
+    const scalar a = line ? s2 / det : 1;
+    const scalar b = line ? -s1 / det : 0;
+    scalar sum = 0;
+    for (label k = 0; k < s.size; ++k)
+    {
+        s.weight[k] *= a + b * (s.index[k] - position);
+        sum += s.weight[k];
+    }
+    // Normalise: the sum, and so the force, is exact to round-off even if det is small
+    for (label k = 0; k < s.size; ++k)
+    {
+        s.weight[k] /= sum;
+    }
+}
+} // namespace
 
 Foam::deltaKernel::deltaKernel(const dictionary& dict)
     : type_(readEnum(names, dict, "kernel", kernelType::Roma3))
@@ -46,77 +77,28 @@ void Foam::deltaKernel::weights(const label n, const scalar* position,
     w2 = w3 + 2 * w2;
 }
 
-void Foam::deltaKernel::stencil(const scalar x, const scalar offset,
-                                const label first, const label last,
-                                const label n, const bool periodic,
-                                kernelStencil& s) const
+Foam::kernelStencil Foam::deltaKernel::stencil(const scalar x,
+                                               const scalar offset,
+                                               const label first,
+                                               const label last) const
 {
     // A marker at or beyond a wall acts on the cell at the wall
-    const scalar position = periodic ? x - offset
-                                     : min(max(x - offset, first - scalar(0.5)),
-                                           last + scalar(0.5));
-    const label nPoints = this->nPoints();
+    const scalar position =
+        min(max(x - offset, first - scalar(0.5)), last + scalar(0.5));
     scalar lowestPoint, weight[4];
     scalar* const pointers[4] = {weight, weight + 1, weight + 2, weight + 3};
     weights(1, &position, &lowestPoint, pointers);
-    const label lowest = label(lowestPoint);
 
-    if (lowest >= (periodic ? 0 : first) &&
-        lowest + nPoints - 1 <= (periodic ? n - 1 : last))
+    kernelStencil s;
+    const label lowest = label(lowestPoint), nPoints = this->nPoints();
+    for (label k = 0; k < nPoints; ++k)
     {
-        s.size = nPoints;
-        for (label k = 0; k < nPoints; ++k)
-        {
-            s.index[k] = lowest + k;
-            s.weight[k] = weight[k];
-        }
-        return;
-    }
-
-    s.size = 0;
-    bool cut = false;
-    label i = lowest;
-    if (periodic && (i < 0 || i >= n)) i = ((i % n) + n) % n;
-    for (label k = 0; k < nPoints; ++k, ++i)
-    {
-        if (periodic)
-        {
-            if (i == n) i = 0;
-        }
-        else if (i < first || i > last)
-        {
-            cut = true;
-            continue;
-        }
+        const label i = lowest + k;
+        if (i < first || i > last) continue;
         s.index[s.size] = i;
         s.weight[s.size] = weight[k];
         ++s.size;
     }
-    if (!cut) return;
-
-    // Multiply the weights by a + b r, so that the sum is 1 and the first moment 0
-    scalar s0 = 0, s1 = 0, s2 = 0;
-    for (label k = 0; k < s.size; ++k)
-    {
-        const scalar r = s.index[k] - position, w = s.weight[k];
-        s0 += w;
-        s1 += w * r;
-        s2 += w * r * r;
-    }
-    // If one point has all the weight, b is not defined and is set to 0
-    const scalar det = s0 * s2 - s1 * s1;
-    const bool line = det > 1e-9 * s0 * s2;
-    const scalar a = line ? s2 / det : 1;
-    const scalar b = line ? -s1 / det : 0;
-    scalar sum = 0;
-    for (label k = 0; k < s.size; ++k)
-    {
-        s.weight[k] *= a + b * (s.index[k] - position);
-        sum += s.weight[k];
-    }
-    // Normalise: the sum, and so the force, is exact to round-off even if det is small
-    for (label k = 0; k < s.size; ++k)
-    {
-        s.weight[k] /= sum;
-    }
+    if (s.size < nPoints) correctMoments(position, s);
+    return s;
 }

@@ -26,8 +26,8 @@ void Foam::markerSet::cut(const weightBatch& w, const label marker,
         }
         else
         {
-            kernel_.stencil(w.position[d][marker], i < 3 ? 0 : 0.5, least,
-                            n - 1, n, false, s);
+            s = kernel_.stencil(w.position[d][marker], i < 3 ? 0 : 0.5, least,
+                                n - 1);
         }
         for (label k = 0; k < 4; ++k)
         {

@@ -3,22 +3,14 @@
 // Sums over the points of surfaces
 
 #include "nearField.H"
+#include "floatLanes.H"
 #include "mathematicalConstants.H"
-
-// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#include <Eigen/Core>
 #include <algorithm>
 
 namespace
 {
 const double pi = Foam::constant::mathematical::pi;
-
-//- Number of points that the sum handles as one vector
-constexpr int nLanes = 16;
-using lanes = Eigen::Array<float, nLanes, 1>;
-using lanesAt = Eigen::Map<lanes>;
-using lanesOf = Eigen::Map<const lanes>;
+using namespace Foam::floatLanes;
 using oneLane = Eigen::Array<float, 1, 1>;
 } // namespace
 
@@ -37,7 +29,9 @@ Foam::nearField::evaluate(const Lanes& s, Lanes& A, Lanes& C) const
         }
         return y;
     };
-    const Lanes v = 2.5f * t - 1.5f, tt = t * t, t4 = tt * tt, t8 = t4 * t4;
+    static_assert(nearPower == 8, "t8 is t^nearPower");
+    const float scale = nearScale, shift = nearShift;
+    const Lanes v = scale * t - shift, tt = t * t, t4 = tt * tt, t8 = t4 * t4;
     const Lanes far = t * t.sqrt();
     A = far * sum(A_, 0, nFar, t) + t8 * sum(A_, nFar, nFar + nNear, v);
     C = far * t * sum(C_, 0, nFar, t) + t8 * sum(C_, nFar, nFar + nNear, v);
@@ -54,7 +48,7 @@ Foam::nearField::pointSet::pointSet(const std::vector<vector>& X,
                                     const std::vector<vector>& forces)
     : n(X.size())
 {
-    const label m = (n + nLanes - 1) / nLanes * nLanes;
+    const label m = floatLanes::padded(n);
     fromOrigin.assign(3 * m, 0);
     F.assign(3 * m, 0);
     if (n) origin = X[0];
@@ -135,7 +129,7 @@ void Foam::nearField::velocity(const vector* X, const vector* F, const label n,
                                vector* u) const
 {
     // Arrays of components, padded with points without force to whole vectors
-    const int m = (n + nLanes - 1) / nLanes * nLanes;
+    const int m = padded(n);
     std::vector<float> numbers(9 * m, 0);
     float* const x = numbers.data();
     float* const f = x + 3 * m;

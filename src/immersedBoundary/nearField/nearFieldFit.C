@@ -4,9 +4,7 @@
 
 #include "nearField.H"
 #include "mathematicalConstants.H"
-
-// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include "quietEigen.H"
 #include <Eigen/QR>
 #include <algorithm>
 
@@ -87,7 +85,7 @@ void Foam::nearField::transform(const deltaKernel& kernel, const bool own)
 {
     // Cut-off of K [1/h]: the rest of the integral is 1e-6 of A
     const double largest = 25;
-    const int nK = 250, nAzimuth = 16;
+    const int nK = 250, nAzimuth = 16, nPolar = 8;
     const transformOf phi(kernel, largest);
     for (int i = 0; i < nK; ++i)
     {
@@ -114,7 +112,7 @@ void Foam::nearField::transform(const deltaKernel& kernel, const bool own)
             }
             return sum;
         };
-        const Eigen::Vector2d smoothed(integral(0, 1, 8, ring));
+        const Eigen::Vector2d smoothed(integral(0, 1, nPolar, ring));
 
         // Transform of G_d; weight of the quadrature over K
         const double x = 0.25 * sqr(K * d_ / h_);
@@ -125,7 +123,7 @@ void Foam::nearField::transform(const deltaKernel& kernel, const bool own)
         K_.push_back(K);
         trace_.push_back(weight * (2 * filter - smoothed[0]));
         along_.push_back(weight * -smoothed[1]);
-        withheld_.push_back(2 - smoothed[0]);
+        unresolved_.push_back(2 - smoothed[0]);
     }
 }
 
@@ -146,10 +144,10 @@ Foam::nearField::mobility Foam::nearField::exact(const scalar q) const
 }
 
 // Mean over directions at a wave number near 0
-Foam::scalar Foam::nearField::withheldFlow() const
+Foam::scalar Foam::nearField::unresolvedFlow() const
 {
-    const size_t i = 2;
-    return withheld_[i] / sqr(K_[i]) / 3 * sqr(h_) / mu_;
+    const size_t nearZero = 2;
+    return unresolved_[nearZero] / sqr(K_[nearZero]) / 3 * sqr(h_) / mu_;
 }
 
 // Least squares over distances up to last, beyond which the difference decays as q^-3, and
@@ -161,24 +159,28 @@ void Foam::nearField::fit()
     const mobility atLast(exact(last));
     c_ = 10 * sqr(d_ / h_);
 
+    // In terms of x the distances are q/last = x up to x = 1, then 1/(1 - inverse (x - 1)),
+    // which is 20 at the largest x
     const int n = 300;
+    const double largestX = 1.25, inverse = 3.8;
     Eigen::MatrixXd A(n, nFar + nNear), C(A);
     Eigen::VectorXd valuesA(n), valuesC(n);
     for (int i = 0; i < n; ++i)
     {
-        const double x = 1.25 * (i + 0.5) / n;
-        const double q = last * (x < 1 ? x : 1 / (1 - 3.8 * (x - 1)));
+        const double x = largestX * (i + 0.5) / n;
+        const double q = last * (x < 1 ? x : 1 / (1 - inverse * (x - 1)));
         const mobility m(q < last ? exact(q)
                                   : mobility{atLast.A * std::pow(last / q, 3),
                                              atLast.C * std::pow(last / q, 5)});
         const double t = 1 / (1 + q * q / c_);
-        double far = std::pow(t, 1.5), near = std::pow(t, 8);
+        double far = std::pow(t, 1.5), near = std::pow(t, nearPower);
         for (int k = nFar - 1; k >= 0; --k, far *= t)
         {
             A(i, k) = far;
             C(i, k) = far * t;
         }
-        for (int k = nFar + nNear - 1; k >= nFar; --k, near *= 2.5 * t - 1.5)
+        const double v = nearScale * t - nearShift;
+        for (int k = nFar + nNear - 1; k >= nFar; --k, near *= v)
         {
             A(i, k) = C(i, k) = near;
         }
@@ -214,7 +216,7 @@ std::vector<double> Foam::nearField::rates(const scalar k, const scalar nu,
         const double K = std::sqrt(sqr(wave) + sqr(z));
         const size_t i = min(size_t(K / K_.back() * K_.size()), K_.size() - 1);
         squares.push_back(sqr(K));
-        added.push_back(max(withheld_[i], 0.0) / sqr(K));
+        added.push_back(max(unresolved_[i], 0.0) / sqr(K));
         sum += added.back();
     }
     std::vector<double> share(n, 0), time(n, 0);

@@ -4,17 +4,14 @@
 
 #include "wallImage.H"
 #include "mathematicalConstants.H"
+#include "quietEigen.H"
 #include "wallImageTable.H"
-
-// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <algorithm>
-#include <Eigen/Core>
 
 namespace
 {
 using namespace Foam::wallTable;
-using values = Eigen::Array<double, 8, 1>;
+using values = Eigen::Array<double, padded, 1>;
 
 //- Linear interpolation: the entry below, and the share of the one above
 struct between
@@ -22,9 +19,9 @@ struct between
     int i;
     double share;
 
-    between(const double place, const int n)
-        : i(std::min(std::max(int(place), 0), n - 2)),
-          share(std::min(std::max(place - i, 0.0), 1.0))
+    between(const double index, const int n)
+        : i(std::min(std::max(int(index), 0), n - 2)),
+          share(std::min(std::max(index - i, 0.0), 1.0))
     {
     }
 };
@@ -39,10 +36,9 @@ inline values interpolated(const double* table, const between& z,
         const int a = c & 1, b = c >> 1;
         const double weight = (a ? z.share : 1 - z.share) *
                              (b ? H.share : 1 - H.share);
-        const double* entry =
-            table + 8 * (((z.i + a) * nHeights + H.i + b) * nRatios + r.i);
+        const double* entry = table + entryOf(z.i + a, H.i + b, r.i);
         sum += weight * ((1 - r.share) * Eigen::Map<const values>(entry) +
-                         r.share * Eigen::Map<const values>(entry + 8));
+                         r.share * Eigen::Map<const values>(entry + padded));
     }
     return sum;
 }
@@ -67,7 +63,7 @@ Foam::wallImage::wallImage(const deltaKernel::kernelType kernel, const scalar h,
     fill(deltaKernel(kernel));
 }
 
-Foam::scalar Foam::wallImage::place(const scalar height)
+Foam::scalar Foam::wallImage::tableIndex(const scalar height)
 {
     return std::log(max(height, lowest) / lowest) / std::log(growth);
 }
@@ -77,8 +73,8 @@ Foam::wallImage::parts(const scalar rho, const scalar z, const scalar H) const
 {
     const scalar Z = max(z, lowest) + max(H, lowest);
     const values K =
-        interpolated(table_.data(), between(place(z), nHeights),
-                     between(place(H), nHeights),
+        interpolated(table_.data(), between(tableIndex(z), nHeights),
+                     between(tableIndex(H), nHeights),
                      between(rho / (rho + Z) * perRatio, nRatios)) /
         std::pow(rho * rho + Z * Z, 1.5);
     std::array<scalar, nParts> each;
@@ -112,7 +108,7 @@ void Foam::wallImage::velocity(const nearField::pointSet& body,
     std::vector<between> H;
     for (const double z : others)
     {
-        H.emplace_back(place(z), nHeights);
+        H.emplace_back(tableIndex(z), nHeights);
     }
     const Eigen::Map<const Eigen::ArrayXd> Hs(others.data(), image.n);
     Eigen::ArrayXd x, y, rho, RR, ratio, scale;
@@ -132,7 +128,7 @@ void Foam::wallImage::velocity(const nearField::pointSet& body,
         RR = rho.square() + (own[i] + Hs).square();
         scale = 1 / (RR * RR.sqrt());
         rho = 1 / rho;
-        const between z(place(own[i]), nHeights);
+        const between z(tableIndex(own[i]), nHeights);
         double sum[3] = {0, 0, 0};
         for (label j = 0; j < image.n; ++j)
         {

@@ -1,14 +1,12 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-// The table of wallImage: the answer of the mesh to waves of force along a wall, and its
-// transform
+// The table of wallImage: velocities that waves of force along a wall cause on the mesh and by
+// Blake's image, and their transform
 
 #include "wallImageTable.H"
 #include "mathematicalConstants.H"
 #include "wallImage.H"
-
-// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include "quietEigen.H"
 #include <Eigen/LU>
 
 namespace
@@ -18,9 +16,10 @@ using namespace Foam::wallTable;
 
 const double pi = constant::mathematical::pi;
 
-//- Responses to a wave of force of wave number k, times 8 pi mu, by height of marker and
-//  force: along k of a force along k, across, along the normal; along k of a normal one and
-//  the other way (the latter two with - i and i)
+//- Velocities due to a wave of force of wave number k, times 8 pi mu, by height of marker and
+//  of force. ALONG: along k by a force along k; ACROSS and NORMAL: the same across k and along
+//  the normal. ALONG_OF_NORMAL: - i times that along k by a normal force; NORMAL_OF_ALONG: i
+//  times the normal one by a force along k
 enum response
 {
     ALONG,
@@ -99,8 +98,8 @@ struct column
         {
             const double x = raisedHeight(i, raised);
             if (x > n - 3) continue;
-            kernelStencil s;
-            kernel.stencil(x, normal ? 0 : 0.5, normal, n - 1, n, false, s);
+            const kernelStencil s(
+                kernel.stencil(x, normal ? 0 : 0.5, normal, n - 1));
             for (label q = 0; q < s.size; ++q)
             {
                 w(s.index[q] - normal, i) = s.weight[q];
@@ -165,9 +164,10 @@ void longWaves(const double k, const double raised, const double c,
     }
 }
 
-//- Answer of the wall of the mesh less Blake's image, averaged over directions and
-//  positions in a cell
-responses surplus(const deltaKernel& kernel, const double k, const double c)
+//- Flow reflected by the wall on the mesh minus that of Blake's image, averaged over
+//  directions and positions in a cell
+responses meshLessBlake(const deltaKernel& kernel, const double k,
+                        const double c)
 {
     responses exact, more;
     longWaves(k, 0, c, exact, more);
@@ -202,54 +202,42 @@ responses surplus(const deltaKernel& kernel, const double k, const double c)
     }
     return R;
 }
-} // namespace
 
-void Foam::wallImage::fill(const deltaKernel& kernel)
+//- Add a wave of wave number k, which stands for dk, to the parts of K
+void addWave(const responses& R, const double k, const double dk,
+             std::vector<double>& sum)
 {
-    const auto entry = [](const int i, const int j, const int r)
-    { return padded * ((i * nHeights + j) * nRatios + r); };
-    std::vector<double> sum(padded * nHeights * nHeights * nRatios, 0);
-
-    // Half the second moment of the kernel, by its transform
-    const double little = 0.01;
-    const double c = (1 - kernelTransform(kernel, little)) / sqr(little);
-
-    // Midpoints of intervals that grow with k
-    const int nWaves = 128;
-    const double last = 2 * pi, bend = 0.05,
-                 end = std::log(1 + last / bend);
-    for (int w = 0; w < nWaves; ++w)
+    for (int i = 0; i < nHeights; ++i)
     {
-        const double x = (w + 0.5) / nWaves * end,
-                     k = bend * (std::exp(x) - 1),
-                     dk = (k + bend) * end / nWaves;
-        const responses R(surplus(kernel, k, c));
-        for (int i = 0; i < nHeights; ++i)
+        for (int j = 0; j < nHeights; ++j)
         {
-            for (int j = 0; j < nHeights; ++j)
+            // The wave decays as exp(-kZ)
+            const double Z = heightAt(i) + heightAt(j);
+            if (k * Z > 16) continue;
+            for (int r = 0; r < nRatios; ++r)
             {
-                const double Z = heightAt(i) + heightAt(j);
-                if (k * Z > 16) continue;
-                for (int r = 0; r < nRatios; ++r)
-                {
-                    const double q = r / perRatio, kr = k * Z * q / (1 - q),
-                                 J0 = ::j0(kr), J1 = ::j1(kr),
-                                 over = kr > 1e-6 ? J1 / kr : 0.5,
-                                 wave = k * dk / (2 * pi),
-                                 along = R[ALONG](i, j),
-                                 across = R[ACROSS](i, j);
-                    double* K = &sum[entry(i, j, r)];
-                    K[EE] += wave * (along * (J0 - over) + across * over);
-                    K[TT] += wave * (along * over + across * (J0 - over));
-                    K[NN] += wave * R[NORMAL](i, j) * J0;
-                    K[EN] += wave * R[ALONG_OF_NORMAL](i, j) * J1;
-                    K[NE] -= wave * R[NORMAL_OF_ALONG](i, j) * J1;
-                }
+                const double q = r / perRatio, kr = k * Z * q / (1 - q),
+                             J0 = ::j0(kr), J1 = ::j1(kr),
+                             over = kr > 1e-6 ? J1 / kr : 0.5,
+                             wave = k * dk / (2 * pi), along = R[ALONG](i, j),
+                             across = R[ACROSS](i, j);
+                double* K = &sum[entryOf(i, j, r)];
+                K[wallImage::EE] +=
+                    wave * (along * (J0 - over) + across * over);
+                K[wallImage::TT] +=
+                    wave * (along * over + across * (J0 - over));
+                K[wallImage::NN] += wave * R[NORMAL](i, j) * J0;
+                K[wallImage::EN] += wave * R[ALONG_OF_NORMAL](i, j) * J1;
+                K[wallImage::NE] -= wave * R[NORMAL_OF_ALONG](i, j) * J1;
             }
         }
     }
+}
 
-    table_.assign(sum.size(), 0);
+//- Parts of K |R|^3 of (Blake - mesh), by sums over waves of the parts of K of (mesh - Blake)
+std::vector<double> scaledByDistance(const std::vector<double>& sum)
+{
+    std::vector<double> table(sum.size(), 0);
     for (int i = 0; i < nHeights; ++i)
     {
         for (int j = 0; j < nHeights; ++j)
@@ -259,12 +247,36 @@ void Foam::wallImage::fill(const deltaKernel& kernel)
             {
                 const double q = r / perRatio, rho = Z * q / (1 - q),
                              scale = std::pow(sqr(rho) + sqr(Z), 1.5);
-                for (int p = 0; p < nParts; ++p)
+                for (int p = 0; p < wallImage::nParts; ++p)
                 {
-                    const int at = entry(i, j, r) + p;
-                    table_[at] = -scale * sum[at];
+                    const int at = entryOf(i, j, r) + p;
+                    table[at] = -scale * sum[at];
                 }
             }
         }
     }
+    return table;
+}
+} // namespace
+
+void Foam::wallImage::fill(const deltaKernel& kernel)
+{
+    std::vector<double> sum(padded * nHeights * nHeights * nRatios, 0);
+
+    // Half the second moment of the kernel, by its transform
+    const double smallWave = 0.01;
+    const double c = (1 - kernelTransform(kernel, smallWave)) / sqr(smallWave);
+
+    // Midpoints of intervals that grow with k from linearUpTo on
+    const int nWaves = 128;
+    const double largestWave = 2 * pi, linearUpTo = 0.05,
+                 end = std::log(1 + largestWave / linearUpTo);
+    for (int w = 0; w < nWaves; ++w)
+    {
+        const double x = (w + 0.5) / nWaves * end,
+                     k = linearUpTo * (std::exp(x) - 1),
+                     dk = (k + linearUpTo) * end / nWaves;
+        addWave(meshLessBlake(kernel, k, c), k, dk, sum);
+    }
+    table_ = scaledByDistance(sum);
 }

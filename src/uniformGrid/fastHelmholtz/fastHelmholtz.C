@@ -9,6 +9,12 @@ namespace Foam
 defineTypeNameAndDebug(fastHelmholtzCache, 0);
 }
 
+namespace
+{
+// Exponent of a decay whose square, exp(-38), is below round-off
+const double decayed = 19;
+} // namespace
+
 Foam::fastHelmholtz::fastHelmholtz(const uniformGrid& grid,
                                    const FixedList<sideConditions, 3>& sides,
                                    const labelUList& indices)
@@ -81,12 +87,12 @@ void Foam::fastHelmholtz::eliminate(const label slowMode, const scalar sigma,
         std::fill_n(coefficients, pieceCoupling::NCOEFFICIENTS * m, 0.0);
     }
 
-    // A step along the line changes c by the square of the factor by which it changes a
-    // solution, of the slowest fast mode
+    // A solution without right-hand side decays by the factor exp(-decay) per plane, and the
+    // difference of the pivots from their limit by its square: in the slowest fast mode
     const double least = *std::min_element(eigen, eigen + m);
     const double decay =
         std::acosh(max(scalar(1), (base + af * least) / (2 * at)));
-    settled_ = decay * n > 19 ? label(19 / decay) + 2 : n;
+    settled_ = decay * n > decayed ? label(decayed / decay) + 2 : n;
 
     double* row = firstOf(slowMode);
     for (label k = 0; k < interior; ++k)

@@ -18,7 +18,7 @@ TEST(CapsuleNearField, mobilityOfASphere)
     const struct
     {
         deltaKernel::kernelType kernel;
-        scalar withheld[3][3]; // rows: degree 1 to 3; columns: V, W, X
+        scalar unresolved[3][3]; // rows: degree 1 to 3; columns: V, W, X
     } meshes[] = {
         {deltaKernel::Roma3, {{34, 7, 21}, {48, 21, 35}, {58, 35, 47}}},
         {deltaKernel::Peskin4,
@@ -69,7 +69,7 @@ TEST(CapsuleNearField, mobilityOfASphere)
                 test::expectBelow("degree " + std::to_string(degree) + ", " +
                                       "VWX"[family] + ", error of mobility [%]",
                                   mag(100 * added / exact[family] -
-                                      mesh.withheld[degree - 1][family]),
+                                      mesh.unresolved[degree - 1][family]),
                                   2);
             }
         }

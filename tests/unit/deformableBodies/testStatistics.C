@@ -82,7 +82,7 @@ TEST(pairDistribution, ofCentresWithoutOrderIsOne)
     test::expectBelow("pair distribution less 1", worst, 0.1);
 }
 
-// The fit of the near field at other surfaces. The flow that the mesh withholds of a net
+// The fit of the near field at other surfaces. The flow that the mesh does not resolve of a net
 // force follows from the second moment of the kernel and that of the differences:
 // 2/3 (int r^2 phi dr - 1/20)
 TEST(nearField, atOtherSurfacesIsFitted)
@@ -104,6 +104,6 @@ TEST(nearField, atOtherSurfacesIsFitted)
         moment += 2 * 0.001 * sqr(r) * kernel.phi(r);
     }
     const scalar expected = 2.0 / 3 * (moment - 0.05);
-    test::expectBelow("flow that the mesh withholds, relative error",
-                      mag(field.withheldFlow() / expected - 1), 0.02);
+    test::expectBelow("flow that the mesh does not resolve, relative error",
+                      mag(field.unresolvedFlow() / expected - 1), 0.02);
 }

@@ -46,10 +46,10 @@ TEST_P(DeltaKernel, losesNoForceBesideWalls)
     {
         for (const scalar sign : {1.0, -1.0})
         {
-            kernelStencil s;
             for (const scalar offset : {0.0, 0.5})
             {
-                kernel.stencil(sign * e, offset, offset == 0, 9, 10, false, s);
+                const kernelStencil s(
+                    kernel.stencil(sign * e, offset, offset == 0, 9));
                 scalar sum = 0;
                 for (label k = 0; k < s.size; ++k)
                 {

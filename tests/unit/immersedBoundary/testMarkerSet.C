@@ -123,9 +123,17 @@ TEST_P(MarkerSet, interpolatesAsTheKernelSays)
                 // magnified beside a wall
                 scalar x = (X[k][e] - grid().origin()[e]) * (1 / grid().h()[e]);
                 if (periodic) x -= n * std::floor(x / n);
-                deltaKernel(GetParam())
-                    .stencil(x, e == d ? 0 : 0.5, e == d && !periodic ? 1 : 0,
-                             n - 1, n, periodic, s[e]);
+
+                // Points beyond periodic sides are wrapped
+                const label beyond = periodic ? 4 : 0;
+                s[e] = deltaKernel(GetParam())
+                           .stencil(x, e == d ? 0 : 0.5,
+                                    e == d && !periodic ? 1 : -beyond,
+                                    n - 1 + beyond);
+                for (label& i : s[e].index)
+                {
+                    i = (i + n) % n;
+                }
             }
             scalar sum = 0;
             for (label a = 0; a < s[0].size; ++a)

@@ -37,7 +37,7 @@ Foam::wordList Foam::groupStatistics::columnsOf(const bodyGroup& group)
 Foam::wordList Foam::groupStatistics::namesOfQuantities() const
 {
     DynamicList<word> all;
-    for (label c = 3; c < columns_.size(); ++c)
+    for (label c = nCentreColumns; c < columns_.size(); ++c)
     {
         all.append(columns_[c]);
     }
@@ -63,7 +63,10 @@ Foam::boolList Foam::groupStatistics::anglesAmong(const label n) const
     label c = 0;
     for (const bodyColumn& column : group_.report().columns())
     {
-        if (c >= 3) angles[c - 3] = column.unit == "degrees";
+        if (c >= nCentreColumns)
+        {
+            angles[c - nCentreColumns] = column.unit == "degrees";
+        }
         ++c;
     }
     return angles;
@@ -72,7 +75,7 @@ Foam::boolList Foam::groupStatistics::anglesAmong(const label n) const
 Foam::scalarList Foam::groupStatistics::quantities(const scalarList& row) const
 {
     DynamicList<scalar> all;
-    for (label c = 3; c < columns_.size(); ++c)
+    for (label c = nCentreColumns; c < columns_.size(); ++c)
     {
         all.append(row[c]);
     }
