@@ -15,7 +15,7 @@ Foam::boxChecks::boxChecks(const fvMesh& mesh, PtrList<bodyGroup>& groups,
     : time_(mesh.time()),
       grid_(uniformGrid::New(mesh)),
       groups_(groups),
-      close_(time_, groups, markers, interactions, between),
+      close_(time_, grid_, groups, markers, interactions, between),
       wallNamed_(groups.size(), false),
       nearWall_(groups.size(), false)
 {

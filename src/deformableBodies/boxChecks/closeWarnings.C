@@ -5,14 +5,17 @@
 #include "dictionaryChecks.H"
 #include "Time.H"
 
-Foam::closeWarnings::closeWarnings(const Time& time, PtrList<bodyGroup>& groups,
+Foam::closeWarnings::closeWarnings(const Time& time, const uniformGrid& grid,
+                                   PtrList<bodyGroup>& groups,
                                    markerSet& markers,
                                    const bodyInteractions* interactions,
                                    const neighbourField* between)
     : time_(time),
       groups_(groups),
       markers_(markers),
+      grid_(grid),
       numbers_(groups),
+      imageNamed_(groups.size(), false),
       named_(groups.size() * (groups.size() + 1) / 2, false),
       limit_(named_.size(), 1.5)
 {
@@ -104,9 +107,40 @@ Foam::string Foam::closeWarnings::describe(const encounter& e) const
     return os.str();
 }
 
+void Foam::closeWarnings::warnOfImages()
+{
+    forAll(groups_, g)
+    {
+        const bodyGroup& group = groups_[g];
+        if (imageNamed_[g] || !group.twoWay()) continue;
+        string reaches;
+        forAll(group.mine(), i)
+        {
+            const vector free(grid_.length() - group.bounds(i, true).span());
+            for (direction d = 0; d < 3; ++d)
+            {
+                if (!grid_.periodic(d) || free[d] > 1.5 * grid_.h()[d])
+                    continue;
+                reaches = group.nameOfBody(group.mine()[i]) +
+                          " reaches its own image in " +
+                          vector::componentNames[d];
+            }
+        }
+        imageNamed_[g] = returnReduce(!reaches.empty(), orOp<bool>());
+        if (!imageNamed_[g]) continue;
+        reaches = firstOf(reaches);
+        WarningInFunction
+            << reaches.c_str() << ", at time " << time_.timeName() << nl
+            << "    No contact keeps a body from its own image: use a longer "
+            << "box (said once for this group)" << endl;
+    }
+}
+
 void Foam::closeWarnings::look()
 {
-    if (steps_++ % 50 || !named_.found(false)) return;
+    if (steps_++ % 50) return;
+    warnOfImages();
+    if (!named_.found(false)) return;
 
     // Encounters are rare: most calls end with one reduction
     const List<encounter> closest(this->closest());

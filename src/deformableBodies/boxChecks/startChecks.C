@@ -104,10 +104,15 @@ Foam::DynamicList<Foam::startChecks::startingBody>
 Foam::startChecks::bodies() const
 {
     DynamicList<startingBody> all;
+    DynamicList<label> continuing;
     forAll(groups_, g)
     {
         const bodyGroup& group = groups_[g];
-        if (!returnReduce(group.startsAfresh(), orOp<bool>())) continue;
+        if (!returnReduce(group.startsAfresh(), orOp<bool>()))
+        {
+            continuing.append(g);
+            continue;
+        }
         scalar radius = 0;
         bool alike = false; // capsules of a group are
         for (label body = 0; body < group.nBodies(); ++body)
@@ -120,10 +125,46 @@ Foam::startChecks::bodies() const
                 radius += std::sqrt(p.crossSection);
                 alike = p.isSurface();
             }
-            all.append(startingBody{g, body, centre, radius});
+            all.append(startingBody{g, body, centre, radius, true});
         }
     }
+    for (label k = 0; k < continuing.size() && all.size(); ++k)
+    {
+        appendContinuing(continuing[k], all);
+    }
     return all;
+}
+
+void Foam::startChecks::appendContinuing(const label g,
+                                         DynamicList<startingBody>& all) const
+{
+    const bodyGroup& group = groups_[g];
+    if (group.forcing() == forcingType::ofLines) return;
+    List<scalarList> numbers(Pstream::nProcs());
+    DynamicList<scalar> here;
+    forAll(group.mine(), i)
+    {
+        const point centre(group.centre(i));
+        const vectorField X(group.points(i).positions - centre);
+        here.append(group.mine()[i]);
+        for (direction d = 0; d < 3; ++d)
+        {
+            here.append(centre[d]);
+        }
+        here.append(std::sqrt(max(magSqr(X))));
+    }
+    numbers[Pstream::myProcNo()] = here;
+    Pstream::gatherList(numbers);
+    Pstream::scatterList(numbers);
+    for (const scalarList& of : numbers)
+    {
+        for (label k = 0; k + 4 < of.size(); k += 5)
+        {
+            all.append(startingBody{g, label(of[k]),
+                                    point(of[k + 1], of[k + 2], of[k + 3]),
+                                    of[k + 4], false});
+        }
+    }
 }
 
 void Foam::startChecks::judgePair(const startingBody& a, const startingBody& b)
@@ -137,6 +178,14 @@ void Foam::startChecks::judgePair(const startingBody& a, const startingBody& b)
     {
         return;
     }
+    if (!a.starts && !b.starts) return;
+    if (!a.starts || !b.starts)
+    {
+        if (mag(apart) >= max(a.radius, b.radius)) return;
+        warnings_.note(g.nameOfBody(a.number), a.centre, k.nameOfBody(b.number),
+                       b.centre, "may cross: one of them continues");
+        return;
+    }
     const scalar h = cmptMin(grid_.h());
     const bodyPoints p(g.initialPoints(a.number));
     bodyPoints q(k.initialPoints(b.number));
@@ -147,16 +196,24 @@ void Foam::startChecks::judgePair(const startingBody& a, const startingBody& b)
     if (m == meeting::none) return;
     findings& found =
         m == meeting::cross && g.twoWay() && k.twoWay() ? errors_ : warnings_;
-    if (found.n++) return;
+    found.note(g.nameOfBody(a.number), a.centre, k.nameOfBody(b.number),
+               b.centre,
+               onePlace                 ? "lie in one place"
+               : m == meeting::cross    ? "cross each other"
+               : m == meeting::surround ? "lie one within the other"
+                                        : "are closer than their diameters");
+}
+
+void Foam::startChecks::findings::note(const string& a, const point& at,
+                                       const string& b, const point& bAt,
+                                       const char* what)
+{
+    if (n++) return;
     OStringStream os;
     os.precision(6);
-    os << g.nameOfBody(a.number).c_str() << " at " << a.centre << " and "
-       << k.nameOfBody(b.number).c_str() << " at " << b.centre << ' '
-       << (onePlace                 ? "lie in one place"
-           : m == meeting::cross    ? "cross each other"
-           : m == meeting::surround ? "lie one within the other"
-                                    : "are closer than their diameters");
-    found.first = os.str();
+    os << a.c_str() << " at " << at << " and " << b.c_str() << " at " << bAt
+       << ' ' << what;
+    first = os.str();
 }
 
 void Foam::startChecks::check(const dictionary& dict)

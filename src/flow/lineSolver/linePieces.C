@@ -4,8 +4,8 @@
 // them
 
 #include "lineSolver.H"
-
 #include "quietEigen.H"
+#include <Eigen/Dense>
 
 Foam::lineSolver::piece Foam::lineSolver::makePiece(const label p) const
 {

@@ -95,6 +95,50 @@ TEST(FlowStability, wavesOfFiveCellsDoNotGrow)
     }
 }
 
+// Waves of two cells across the velocity, at the largest step for explicit diffusion
+TEST(FlowStability, explicitDiffusionBearsTheCourantNumber)
+{
+    struct flowCase
+    {
+        const char* controls;
+        scalar Co, number;
+        vector h;
+    };
+    for (const flowCase& f : {flowCase{"timeScheme RK3; diffusion explicit;",
+                                       1.69, 0.1299, vector(1, 1, 1)},
+                              flowCase{"timeScheme RK3; diffusion explicit;",
+                                       1.69, 0.1299, vector(3, 1, 2)},
+                              flowCase{"timeScheme AB2; diffusion explicit;",
+                                       0.61, 0.0699, vector(1, 1, 1)}})
+    {
+        const label n = 16;
+        const scalar dt = f.Co * f.h.x();
+        const scalar perNu =
+            dt / 3 * (1 / sqr(f.h.x()) + 1 / sqr(f.h.y()) + 1 / sqr(f.h.z()));
+        test::box b(labelVector(n, n, n), n * f.h, periodic, f.number / perNu);
+        b.start(
+            [](const vector& x)
+            {
+                return vector(1, 0, 0) + 1e-6 * vector(test::noise(x),
+                                                       test::noise(x, 5),
+                                                       test::noise(x, 9));
+            });
+        auto flow = b.flow(f.controls);
+        const auto noiseAfter = [&](const label steps)
+        {
+            for (label i = 0; i < steps; ++i)
+            {
+                step(*flow, dt);
+            }
+            const staggeredField u(velocityOf(*flow, b));
+            return std::sqrt(Foam::sumSqr(u[1]) + Foam::sumSqr(u[2]));
+        };
+        const scalar before = noiseAfter(4);
+        test::expectBelow(std::string("noise after 40 steps, ") + f.controls,
+                          noiseAfter(40) / before, 1);
+    }
+}
+
 TEST(FlowStability, timeSchemeThatBearsTheStep)
 {
     test::box b(labelVector(8, 8, 8), vector(8, 8, 8), periodic, 0.01);
