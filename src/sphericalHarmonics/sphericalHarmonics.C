@@ -1,7 +1,10 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "sphericalHarmonics.H"
-#include "quietEigen.H"
+
+// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include <Eigen/Core>
 #include <cmath>
 
 namespace

@@ -3,7 +3,10 @@
 // Nodes, order of the coefficients and tables of a grid
 
 #include "sphericalHarmonics.H"
-#include "quietEigen.H"
+
+// g++ 12 sees uninitialised values in its own AVX-512 intrinsics
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include <Eigen/Core>
 #include <cmath>
 
 namespace

@@ -114,7 +114,7 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p)
 
     const vectorField last(change());
     const auto timing(system_.effects.time("spreading"));
-    const vector byHeld(forceByHeld());
+    const vector byHeld(system_.forceByHeld());
     for (const staggeredTarget& force : p.force)
     {
         system_.markers->spread(last, perMass(force, last, groups));
@@ -122,24 +122,6 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p)
         addUniform(force.factor / system_.rho * byHeld / system_.grid.volume(),
                    system_.grid.box().size, force);
     }
-}
-
-Foam::vector Foam::bodyMotion::forceByHeld() const
-{
-    vector sum(Zero);
-    if (!system_.periodicBox() || !system_.isDriven()) return sum;
-    forAll(system_.groups, g)
-    {
-        const bodyGroup& group = system_.groups[g];
-        if (!group.isHeld()) continue;
-        forAll(group.mine(), i)
-        {
-            if (system_.interactions)
-                sum -= system_.interactions->forceOn(g, group.mine()[i]);
-            if (system_.films) sum -= system_.films->forceOn(g, i);
-        }
-    }
-    return returnReduce(sum, sumOp<vector>());
 }
 
 void Foam::bodyMotion::predict(const velocityPrediction& p,

@@ -121,6 +121,23 @@ bool Foam::bodySystem::isDriven() const
     return false;
 }
 
+Foam::vector Foam::bodySystem::forceByHeld() const
+{
+    vector sum(Zero);
+    if (!periodicBox() || !isDriven()) return sum;
+    forAll(groups, g)
+    {
+        const bodyGroup& group = groups[g];
+        if (!group.isHeld()) continue;
+        forAll(group.mine(), i)
+        {
+            if (interactions) sum -= interactions->forceOn(g, group.mine()[i]);
+            if (films) sum -= films->forceOn(g, i);
+        }
+    }
+    return returnReduce(sum, sumOp<vector>());
+}
+
 bool Foam::bodySystem::adjustsStep() const
 {
     return mesh.time().controlDict().getOrDefault<bool>("adjustTimeStep",
