@@ -154,50 +154,6 @@ void Foam::refuseUnreadable(const IOobject& io, const word& className)
                          << exit(FatalError);
 }
 
-void Foam::requireFinishedTime(const polyMesh& mesh, const wordList& fields,
-                               const wordList& optional)
-{
-    const Time& time = mesh.time();
-    if (time.value() <= 0) return;
-    string missing;
-    const auto check = [&](const word& field, const bool isOptional)
-    {
-        const IOobject io(field, time.timeName(), mesh, IOobject::MUST_READ,
-                          IOobject::NO_WRITE, false);
-        const bool found =
-            !fileHandler().filePath(false, io, "volVectorField", false).empty();
-        const bool needed = !isOptional || returnReduce(found, orOp<bool>());
-        if (needed && !found) missing = io.objectPath();
-    };
-    for (const word& field : fields)
-    {
-        check(field, false);
-    }
-    for (const word& field : optional)
-    {
-        check(field, true);
-    }
-    missing = firstOf(missing);
-    if (missing.empty()) return;
-
-    wordList times;
-    for (const instant& t : time.times())
-    {
-        if (t.name() != time.constant()) times.append(t.name());
-    }
-    if (!times.found(time.timeName()))
-    {
-        refuse(time.controlDict(), "startTime", time.timeName(),
-               "existing times, " + oneOf(times));
-    }
-    FatalErrorInFunction
-        << "time " << time.timeName() << " is unfinished, as there is no file "
-        << missing.c_str() << nl
-        << "    The run may have been killed while it wrote. Delete the folder "
-        << time.timeName() << (Pstream::parRun() ? " of all processors" : "")
-        << ", or start from an earlier time" << exit(FatalError);
-}
-
 Foam::string Foam::wrongBrackets(const std::string& text)
 {
     IStringStream is(text);
