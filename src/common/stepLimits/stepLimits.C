@@ -196,8 +196,8 @@ void Foam::stepLimits::judgeEstimate(const word& what, const string& remedy)
                              " exceeds the estimated limit of the " + l.why +
                              ", " + Foam::name(l.dt) + " s, by a factor of " +
                              Foam::name(deltaT / l.dt));
-        if (time_.timeIndex() <= time_.startTimeIndex() + 1 &&
-            deltaT > 200 * l.dt)
+        if (what == "bodies" && deltaT > 200 * l.dt &&
+            time_.timeIndex() <= time_.startTimeIndex() + 1)
         {
             FatalErrorInFunction
                 << exceeds.c_str() << ": bodies would diverge within a few "
@@ -205,8 +205,9 @@ void Foam::stepLimits::judgeEstimate(const word& what, const string& remedy)
                 << Foam::name(l.dt) << ", at most 200 times that, or softer "
                 << "bodies" << exit(FatalError);
         }
-        if (!warning_.due(time_.timeIndex())) return;
-        warning_.warned(time_.timeIndex());
+        warnRarely& warning = warnings_(what, warnRarely());
+        if (!warning.due(time_.timeIndex())) return;
+        warning.warned(time_.timeIndex());
         if (!Pstream::master()) return;
         WarningInFunction << exceeds.c_str() << nl
                           << "    If bodies diverge, reduce it"

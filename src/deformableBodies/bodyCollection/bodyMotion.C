@@ -80,7 +80,12 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p)
     const labelList surfaces(system_.groupsThat(forcingType::ofSurfaces));
     labelList groups(lines);
     groups.append(surfaces);
-    if (groups.empty() || trouble_.any) return;
+    if (trouble_.any) return;
+    if (groups.empty())
+    {
+        addForceByHeld(p);
+        return;
+    }
 
     // A prediction has the forces of the last step at the present markers, and those of
     // the lines in this step once they have moved
@@ -114,12 +119,20 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p)
 
     const vectorField last(change());
     const auto timing(system_.effects.time("spreading"));
-    const vector byHeld(system_.forceByHeld());
     for (const staggeredTarget& force : p.force)
     {
         system_.markers->spread(last, perMass(force, last, groups));
-        if (mag(byHeld) == 0) continue;
-        addUniform(force.factor / system_.rho * byHeld / system_.grid.volume(),
+    }
+    addForceByHeld(p);
+}
+
+void Foam::bodyMotion::addForceByHeld(const velocityPrediction& p) const
+{
+    const vector F(system_.forceByHeld());
+    if (mag(F) == 0) return;
+    for (const staggeredTarget& force : p.force)
+    {
+        addUniform(force.factor / system_.rho * F / system_.grid.volume(),
                    system_.grid.box().size, force);
     }
 }

@@ -124,7 +124,10 @@ void Foam::bodyReader::readFluid()
     const dictionary loads(before.subOrEmptyDict("loads"));
     for (const word& group : loads.toc())
     {
-        system_.firstLoads.insert(group, loads.get<scalar>(group));
+        const dictionary& own =
+            dict_.subOrEmptyDict("bodies").subOrEmptyDict(group);
+        if (own.getOrDefault<word>("restart", "continue") == "continue")
+            system_.firstLoads.insert(group, loads.get<scalar>(group));
     }
 }
 

@@ -112,14 +112,17 @@ void Foam::closeWarnings::warnOfImages()
     forAll(groups_, g)
     {
         const bodyGroup& group = groups_[g];
-        if (imageNamed_[g] || !group.twoWay()) continue;
+        if (imageNamed_[g] || !group.twoWay() ||
+            group.forcing() == forcingType::ofLines)
+            continue;
+        const scalar limit = limit_[pairOf(g, g)];
         string reaches;
         forAll(group.mine(), i)
         {
             const vector free(grid_.length() - group.bounds(i, true).span());
             for (direction d = 0; d < 3; ++d)
             {
-                if (!grid_.periodic(d) || free[d] > 1.5 * grid_.h()[d])
+                if (!grid_.periodic(d) || free[d] > limit * grid_.h()[d])
                     continue;
                 reaches = group.nameOfBody(group.mine()[i]) +
                           " reaches its own image in " +

@@ -139,7 +139,7 @@ void Foam::startChecks::appendContinuing(const label g,
                                          DynamicList<startingBody>& all) const
 {
     const bodyGroup& group = groups_[g];
-    if (group.forcing() == forcingType::ofLines) return;
+    if (!group.points(-1).isSurface()) return;
     List<scalarList> numbers(Pstream::nProcs());
     DynamicList<scalar> here;
     forAll(group.mine(), i)
@@ -181,7 +181,9 @@ void Foam::startChecks::judgePair(const startingBody& a, const startingBody& b)
     if (!a.starts && !b.starts) return;
     if (!a.starts || !b.starts)
     {
-        if (mag(apart) >= max(a.radius, b.radius)) return;
+        if (!g.points(-1).isSurface() || !k.points(-1).isSurface() ||
+            mag(apart) >= max(a.radius, b.radius))
+            return;
         warnings_.note(g.nameOfBody(a.number), a.centre, k.nameOfBody(b.number),
                        b.centre, "may cross: one of them continues");
         return;

@@ -25,7 +25,7 @@ Foam::vectorField Foam::filamentGroup::firstShape(const label number) const
 {
     const vector t0(start_.directions[number] / mag(start_.directions[number]));
     const label N = properties_.segments;
-    vectorField X(N + 1, start_.positions[number] + startDisplacement());
+    vectorField X(N + 1, start_.positions[number]);
     for (label i = 1; i <= N; ++i)
     {
         const scalar s = constant::mathematical::pi * (i - 0.5) / N;
@@ -41,14 +41,14 @@ void Foam::filamentGroup::insertBody(const label i, const label number,
                                      const scalarList& state,
                                      const dictionary& source)
 {
-    body x(filament(properties_, firstShape(number)));
+    const vectorField X(firstShape(number));
+    body x(filament(properties_, X + startDisplacement()));
     x.line.clamp(0, start_.directions[number]);
     x.line.clamp(1, start_.directions[number]);
     x.U.setSize(points_.size(), Zero);
     x.X.setSize(markersEach());
     x.forces.setSize(twoWay() ? markersEach() : 0, Zero);
-    x.start = x.line.positions()[movedEnd() * properties_.segments] -
-              startDisplacement();
+    x.start = X[movedEnd() * properties_.segments];
     if (state.size()) restore(x, number, state, source);
     bodies_.insert(bodies_.begin() + i, x);
 }
@@ -60,12 +60,12 @@ void Foam::filamentGroup::eraseBody(const label i)
 
 Foam::point Foam::filamentGroup::initialCentre(const label number) const
 {
-    return average(firstShape(number));
+    return average(firstShape(number)) + startDisplacement();
 }
 
 Foam::bodyPoints Foam::filamentGroup::initialPoints(const label number) const
 {
-    const vectorField X(firstShape(number));
+    const vectorField X(firstShape(number) + startDisplacement());
     return pointsOf(number, X, vectorField(X.size(), Zero));
 }
 

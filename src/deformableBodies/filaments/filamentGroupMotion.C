@@ -67,7 +67,7 @@ void Foam::filamentGroup::addLoads(const label i, const scalar gain,
     scene_.forces.addStiffness(name(), mine()[i], around.stiffness);
 
     // Stiffness above what an explicit step allows: twice that of a contact, as the other
-    // body gives way alike in the same step
+    // body gives way alike in the same step (too much at walls, which is stable)
     const scalar borne = gain * points_.size() / (properties_.length * s.dt);
     forAll(around.force, k)
     {

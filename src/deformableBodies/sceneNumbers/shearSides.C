@@ -4,6 +4,12 @@
 #include "uniformGrid.H"
 #include "volFields.H"
 
+namespace
+{
+//- Velocities of sides that do not change in time: the mesh does not move
+const Foam::wordList atRest({"fixedValue", "noSlip", "movingWallVelocity"});
+} // namespace
+
 Foam::sideVelocities::sideVelocities(const volVectorField& U,
                                      const uniformGrid& grid, const direction d)
     : lower(Zero),
@@ -24,8 +30,7 @@ Foam::sideVelocities::sideVelocities(const volVectorField& U,
             (isLower ? lower : upper) += magSf[i] * side[i];
             area[isLower] += magSf[i];
             fixed = fixed && side.fixesValue();
-            steady = steady &&
-                     (side.type() == "fixedValue" || side.type() == "noSlip");
+            steady = steady && atRest.found(side.type());
         }
     }
     reduce(lower, sumOp<vector>());

@@ -44,7 +44,7 @@ Foam::explicitScheme::explicitScheme(const uniformGrid& grid,
         new stateObject<IOdictionary>("timeScheme", "uniform", mesh_,
                                       [this](Ostream& os) { writeName(os); }));
 
-    // Beside bodies auto is AB2
+    // Beside bodies that act on the fluid auto is AB2
     const bool dropsRK3 = asked_ == "auto" && bodies && before == "RK3";
     if (dropsRK3)
     {

@@ -133,7 +133,7 @@ TEST(FlowStability, explicitDiffusionBearsTheCourantNumber)
             const staggeredField u(velocityOf(*flow, b));
             return std::sqrt(Foam::sumSqr(u[1]) + Foam::sumSqr(u[2]));
         };
-        const scalar before = noiseAfter(4);
+        const scalar before = noiseAfter(40);
         test::expectBelow(std::string("noise after 40 steps, ") + f.controls,
                           noiseAfter(40) / before, 1);
     }

@@ -32,20 +32,22 @@ Foam::newResultFile(const Time& time, const fileName& folder, const word& name)
     mkDir(dir);
     const fileName file(dir / name);
     keepAside(time, file);
-    if (!functionObject::postProcess) keepLaterResults(time, folder, name);
+    if (!functionObject::postProcess)
+    {
+        keepLaterResults(time, folder, time.startTime().value(), name);
+    }
     return autoPtr<OFstream>(new OFstream(file));
 }
 
 // Not by the file handler, which may want all ranks
 void Foam::keepLaterResults(const Time& time, const fileName& folder,
-                            const word& name)
+                            const scalar last, const word& name)
 {
     const fileName top(time.globalPath() / "postProcessing" / folder);
     for (const fileName& other : readDir(top, fileName::DIRECTORY))
     {
         scalar at;
-        if (!readScalar(other.c_str(), at) ||
-            at <= time.startTime().value() * (1 + SMALL))
+        if (!readScalar(other.c_str(), at) || at <= last * (1 + SMALL))
         {
             continue;
         }

@@ -103,6 +103,10 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
             flowDirection_ = directions[0];
             gradient_ = directions[1];
         }
+        else
+        {
+            largestRate_ = 0;
+        }
     }
     const shearSides sides(shearSides::of(system.mesh));
     isShear(sides);
@@ -156,14 +160,15 @@ Foam::bulkStress::measure(const shearSides& sides) const
 
 bool Foam::bulkStress::isShear(const shearSides& sides)
 {
-    if (largestRate_ == 0 && sides.rate != 0 && sides.oblique <= 1e-6)
+    if (sides.oblique > 1e-6) return false;
+    if (largestRate_ == 0 && sides.rate != 0)
     {
         flowDirection_ = sides.flow;
         gradient_ = sides.gradient;
     }
     largestRate_ = max(largestRate_, mag(sides.rate));
     return sides.flow == flowDirection_ && sides.gradient == gradient_ &&
-           sides.oblique <= 1e-6 && mag(sides.rate) > 0.01 * largestRate_;
+           mag(sides.rate) > 0.01 * largestRate_;
 }
 
 void Foam::bulkStress::begin()

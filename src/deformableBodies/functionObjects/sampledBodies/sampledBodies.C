@@ -22,7 +22,6 @@ Foam::functionObjects::sampledBodies::sampledBodies(const word& name,
         refuse(dict.parent(), name, type,
                "another name, as the mesh has an object of this one");
     }
-    if (!postProcess && Pstream::master()) keepLaterResults(time, name);
     if (postProcess)
     {
         Info << "functionObject " << name << " of type " << type
@@ -68,6 +67,10 @@ Foam::functionObjects::sampledBodies::savedState() const
 
 void Foam::functionObjects::sampledBodies::keepState(const dictionary& dict)
 {
+    if (!postProcess && Pstream::master())
+    {
+        keepLaterResults(time_, name(), time_.value());
+    }
     state_.reset(new stateObject<IOdictionary>(name(), "uniform", mesh_,
                                                [this, dict](Ostream& os)
                                                {

@@ -112,7 +112,7 @@ Foam::scalar Foam::bodyInteractions::pressed() const
     scalar now = 0;
 
     // Bodies may have been compared since their points were collected
-    const label n = near_.any() ? min(near_.nBodies(), points_.nBodies()) : 0;
+    const label n = near_.any() ? points_.nBodies() : 0;
     for (label b = 0; b < n; ++b)
     {
         now = max(now, 2 * points_.load(b));

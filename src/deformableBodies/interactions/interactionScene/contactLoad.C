@@ -65,7 +65,16 @@ Foam::contactLoad Foam::contactLoad::of(const PtrList<bodyGroup>& groups,
     // A restart goes on with the load of the first start, unless loads have grown
     scalar& own = scene.firstLoads(group.name(), 0);
     const scalar now = weightAndLoads(p, group.name(), scene);
-    if (now > 1.1 * own) own = now;
+    if (now > 1.1 * own)
+    {
+        own = now;
+    }
+    else if (own > 1.1 * now)
+    {
+        Info << "Contacts of group " << group.name()
+             << " keep the load of the first start, " << Foam::name(own)
+             << " N, now " << Foam::name(now) << " N" << endl;
+    }
     load.own = own;
     const flowScales& flow = scene.flow;
     const scalar most = flow.speed > 0 ? flow.speed : GREAT;
