@@ -66,15 +66,15 @@ void Foam::filamentGroup::addLoads(const label i, const scalar gain,
                       around.force);
     scene_.forces.addStiffness(name(), mine()[i], around.stiffness);
 
-    // Stiffness above what an explicit step allows: twice that of a contact, as the other
-    // body gives way alike in the same step (too much at walls, which is stable)
+    // Stiffness above what an explicit step allows: a quarter of what the fluid near a
+    // marker resists with, as the fluid gives way as well
     const scalar borne = gain * points_.size() / (properties_.length * s.dt);
     forAll(around.force, k)
     {
         const scalar length = properties_.lengthOf(k);
         around.force[k] /= length;
         around.stiffness[k] =
-            max(scalar(0), 2 * around.stiffness[k] / length - borne);
+            max(scalar(0), around.stiffness[k] / length - 0.25 * borne);
     }
 }
 
