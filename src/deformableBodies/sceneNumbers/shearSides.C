@@ -22,6 +22,8 @@ Foam::sideVelocities::sideVelocities(const volVectorField& U,
     {
         if (side.patch().coupled()) continue;
         const scalarField& magSf = side.patch().magSf();
+        const bool fixesValue = side.fixesValue(),
+                   rests = atRest.found(side.type());
         forAll(side, i)
         {
             const label facei = side.patch().start() + i;
@@ -29,8 +31,8 @@ Foam::sideVelocities::sideVelocities(const volVectorField& U,
             const bool isLower = grid.lowerSide(facei);
             (isLower ? lower : upper) += magSf[i] * side[i];
             area[isLower] += magSf[i];
-            fixed = fixed && side.fixesValue();
-            steady = steady && atRest.found(side.type());
+            fixed = fixed && fixesValue;
+            steady = steady && rests;
         }
     }
     reduce(lower, sumOp<vector>());

@@ -45,13 +45,13 @@ Foam::explicitScheme::explicitScheme(const uniformGrid& grid,
                                       [this](Ostream& os) { writeName(os); }));
 
     // Beside bodies that act on the fluid auto is AB2
-    const bool dropsRK3 = asked_ == "auto" && bodies && before == "RK3";
-    if (dropsRK3)
+    const word automatic(bodies ? word("AB2") : before);
+    if (asked_ == "auto" && automatic != before)
     {
         Info << "Time scheme: AB2, as bodies have been added; RK3 before"
              << endl;
     }
-    if ((asked_ == "auto" ? before : asked_) == "RK3" && !dropsRK3)
+    if ((asked_ == "auto" ? automatic : asked_) == "RK3")
     {
         takeRK3();
         return;
