@@ -221,6 +221,16 @@ googleTests()
     failed=$((failed + ran))
 }
 
+# judgeTrends <module> <table>: each claim of its function trends, by the pairs of rows that there are
+judgeTrends()
+{
+    local claim value
+    while IFS='|' read -r claim value
+    do
+        below "$claim" "$value" 0
+    done < <(tool "$1.trends" "$2")
+}
+
 # tool <module>.<function> [arguments]: what a function of tests/tools returns
 tool() { "$DEFORMABLE_BODIES_DIR/bin/python" "$DEFORMABLE_BODIES_DIR/tests/tools/call.py" "$@"; }
 

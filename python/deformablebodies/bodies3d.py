@@ -44,8 +44,10 @@ def points(file):
 
 
 def shearModulus(case, group):
-    """Gs of the membranes of a group [N/m]; None: it has none, or there is no OpenFOAM here."""
-    return number(case, "bodies/%s/membrane/Gs" % group)
+    """Gs of the membranes of a group [N/m]; None: it has none, or there is no OpenFOAM here. Capsules in capsules
+    are the group <name>Nucleus."""
+    return number(case, "bodies/%s/membrane/Gs" % group) or number(
+        case, "bodies/%s/nucleus/membrane/Gs" % group[:-len("Nucleus")])
 
 
 def number(case, entry):

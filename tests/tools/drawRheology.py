@@ -24,7 +24,7 @@ def draw(panels, quantities, rows, x, colour, mark, label, line="-"):
     rows = sorted(rows, key=lambda r: float(r[x]))
     for panel, (y, error, _) in zip(panels, quantities) if rows else ():
         panel.errorbar([float(r[x]) for r in rows], [float(r[y]) for r in rows],
-                       [max(float(r[error]), 0) for r in rows] if error else None, fmt=mark, color=colour,
+                       [max(float(r[error] or 0), 0) for r in rows], fmt=mark, color=colour,
                        ls=line if len(rows) > 2 else "none", mfc="white" if mark == "s" else colour, label=label)
 
 
@@ -32,7 +32,7 @@ def drawCapsules(picture):
     rows = points(r"capsules\.Re([\d.]+)\.(none|rigid)\.Ca([\d.]+?)\.0\.\d+(\.wide)?", ("Re", "nucleus", "Ca", "wide"))
     if not rows:
         return
-    quantities = (*stresses, ("D", None, "mean $D$"))
+    quantities = (*stresses, ("D", "Derror", "mean $D$"))
     Re = sorted({r["Re"] for r in rows}, key=float)
     figure, axes = figures.columns(3, 2.2, 3.3, 4, sharex="col", sharey="row")
     for nucleus, mark, line, text in (("none", "o", "-", ""), ("rigid", "s", "--", ", rigid nuclei")):
@@ -75,8 +75,8 @@ def drawFibres(picture):
         return
     L = Case(tutorials + "filament/suspensionShear").entry("L")
     for r in rows:
-        r["length"] = float(r["D"]) / L
-    quantities = (*stresses, ("length", None, "distance of the ends/$L$"))
+        r["length"], r["lengthError"] = float(r["D"]) / L, float(r["Derror"] or 0) / L
+    quantities = (*stresses, ("length", "lengthError", "distance of the ends/$L$"))
     figure, axes = figures.columns(2, 2.9, 4.4, 2, sharex=True)
     # Side by side: a factor of the stiffness for each Reynolds number
     for Re, mark, line, beside in (("10", "o", "-", 1), ("1", "s", "--", 1.15), ("0.1", "^", ":", 0.87)):

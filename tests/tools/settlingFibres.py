@@ -1,6 +1,7 @@
 """Points of the study of fibres that settle (tests/validation/settlingFibres), in the folder of a run."""
 import numpy as np
 from deformablebodies import Case, Table
+from deformablebodies.tables import records
 from rheology import seconds
 
 case = Case()
@@ -31,3 +32,25 @@ def row(name, alone):
     values = [number * np.pi / 4 / case.entry("ratio")**2 / volume, case.entry("stiffness"), velocity, error,
               deviation, few, many, clustering, 1 - np.pi / 6 / volume, now["axisYY"][0], seconds()]
     return name + "," + ",".join("%.5g" % v for v in values)
+
+
+def trends(table):
+    """Claims of rheology.md, each with what is missing at the worst row (at most 0: it holds)."""
+    rows = [{k: float(v) for k, v in r.items() if k != "point"} for r in records(table)
+            if not r["point"].endswith(".wide")]
+    claims = []
+    if rows:
+        claims = [("together faster than one alone, by 3 errors", max(3 - (r["velocity"] - 1) / r["error"] for r in rows)),
+                  ("with many neighbours over with few, at least 1.3", max(1.3 - r["many"] / r["few"] for r in rows)),
+                  ("clustering over that at random, at least 1.2", max(1.2 - r["clustering"] / r["random"] for r in rows))]
+    for stiffness in sorted({r["stiffness"] for r in rows}):
+        own = sorted((r for r in rows if r["stiffness"] == stiffness), key=lambda r: r["fraction"])
+        if len(own) == 3:
+            middle, dense = own[1:]
+            ratios = [r["many"] / r["few"] for r in own]
+            claims += [("stiffness %g: slower at 3 than at 1.2 %%, by 2.5 errors" % stiffness,
+                        2.5 - (middle["velocity"] - dense["velocity"]) / np.hypot(middle["error"], dense["error"])),
+                       ("    with many over with few rises with the share",
+                        max(a - b for a, b in zip(ratios, ratios[1:])))]
+    for claim, value in claims:
+        print("%s|%.3g" % (claim, value))

@@ -86,22 +86,13 @@ Foam::string Foam::CourantGuard::wrong(const scalar Co) const
     return string::null;
 }
 
-void Foam::CourantGuard::keepStableStep(const scalar Co)
-{
-    if (!(Co > 0 && (Co <= stable_ || borne_ == 0))) return;
-    const scalar borne =
-        min(stable_, scalar(1)) * phi_.time().deltaTValue() / Co;
-    borne_ = borne_ > 0 ? min(borne_, borne) : borne;
-}
-
-void Foam::CourantGuard::warn(const scalar Co)
+void Foam::CourantGuard::warn(const scalar Co, const scalar dt)
 {
     // An adjusted step is adjusted to the velocity before: 5 % are allowed
     const Time& time = phi_.time();
     if (Co <= 1.05 * stable_ || !warning_.due(stepIndex(time))) return;
     warning_.warned(stepIndex(time));
     if (!Pstream::master()) return;
-    const scalar dt = time.deltaTValue();
     WarningInFunction << "Courant number " << Foam::name(Co) << " at time "
                       << time.timeName() << " is above " << Foam::name(stable_)
                       << ", the largest for " << who_.c_str() << nl
@@ -113,15 +104,19 @@ void Foam::CourantGuard::warn(const scalar Co)
                       << endl;
 }
 
-void Foam::CourantGuard::check(const scalar Co,
+void Foam::CourantGuard::check(const scalar Co, const scalar deltaT,
                                const std::function<void()>& beforeStop,
                                const string& failed)
 {
     longest_ = max(longest_, phi_.time().deltaTValue());
     const string reason(failed.empty() ? wrong(Co) : failed);
-    if (!reason.empty()) stop(reason, Co, beforeStop);
-    keepStableStep(Co);
-    warn(Co);
+    if (!reason.empty()) stop(reason, Co / deltaT, beforeStop);
+    const scalar borne = stableStep(Co / deltaT);
+    if (borne > 0 && (Co <= stable_ || borne_ == 0))
+    {
+        borne_ = borne_ > 0 ? min(borne_, borne) : borne;
+    }
+    warn(Co, deltaT);
 }
 
 bool Foam::CourantGuard::solved(const word& field, const scalar residual)
@@ -134,7 +129,7 @@ bool Foam::CourantGuard::solved(const word& field, const scalar residual)
     return false;
 }
 
-void Foam::CourantGuard::stop(const string& reason, const scalar Co,
+void Foam::CourantGuard::stop(const string& reason, const scalar rate,
                               const std::function<void()>& beforeStop) const
 {
     const Time& time = phi_.time();
@@ -146,7 +141,7 @@ void Foam::CourantGuard::stop(const string& reason, const scalar Co,
 
     const scalar dt = time.deltaTValue();
     const scalar borne =
-        borne_ > 0 ? borne_ : min(stable_, scalar(1)) * dt / max(Co, VSMALL);
+        borne_ > 0 ? borne_ : stableStep(max(rate, VSMALL));
     OStringStream allowed;
     if (borne < dt)
     {

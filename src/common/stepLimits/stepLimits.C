@@ -47,7 +47,7 @@ Foam::stepLimits::limit Foam::stepLimits::flowLimit() const
     const scalar stable = guard_.stable();
     if (!(Co_ > 0)) return {"flow", GREAT, "", "at rest"};
     if (!(stable < GREAT)) return {"flow", GREAT, "", "no explicit convection"};
-    return {"flow", stable * time_.deltaTValue() / Co_, guard_.who(),
+    return {"flow", stable / rate(), guard_.who(),
             "Courant number " + Foam::name(stable) + " for " + guard_.who()};
 }
 
@@ -60,8 +60,7 @@ Foam::stepLimits::limit Foam::stepLimits::controlLimit() const
 
 Foam::scalar Foam::stepLimits::smallestOther() const
 {
-    scalar smallest =
-        min(maxDeltaT_, maxCo_ * time_.deltaTValue() / (Co_ + SMALL));
+    scalar smallest = min(maxDeltaT_, maxCo_ / max(rate(), VSMALL));
     for (const limit& l : limits_)
     {
         smallest = min(smallest, l.dt);
@@ -72,12 +71,13 @@ Foam::scalar Foam::stepLimits::smallestOther() const
 Foam::stepLimits::limit Foam::stepLimits::binding() const
 {
     const scalar last = time_.deltaTValue();
-    const scalar ratio = min(maxCo_, guard_.stable()) / (Co_ + SMALL);
-    limit smallest{"flow", ratio * last,
+    const scalar byCo =
+        min(maxCo_, guard_.stable()) / max(rate(), VSMALL);
+    limit smallest{"flow", byCo,
                    maxCo_ <= guard_.stable() ? string("maxCo") : guard_.who(),
                    ""};
     std::vector<limit> others(
-        {{"growth", min(1.0 + 0.1 * ratio, 1.2) * last, "slow growth", ""}});
+        {{"growth", min(last + 0.1 * byCo, 1.2 * last), "slow growth", ""}});
     others.insert(others.end(), limits_.begin(), limits_.end());
     others.push_back(controlLimit());
     for (const limit& l : others)
@@ -149,10 +149,9 @@ void Foam::stepLimits::adjust(Time& time)
 {
     readControls();
     if (!adjusted_) return;
-    const scalar last = time.deltaTValue();
     const limit l(binding());
     setRounded(time, l.dt);
-    Co_ *= time.deltaTValue() / last;
+    setCourantNo(rate() * time.deltaTValue());
     Info << "deltaT = " << time.deltaTValue() << ", limited by "
          << l.why.c_str() << endl;
 }
@@ -183,7 +182,7 @@ void Foam::stepLimits::judge(const std::function<void()>& beforeStop,
         }
         beforeStop();
     };
-    guard_.check(Co_, nameCauses, failed);
+    guard_.check(Co_, stepOfCo_, nameCauses, failed);
 }
 
 void Foam::stepLimits::judgeEstimate(const word& what, const string& remedy)

@@ -25,6 +25,7 @@ Foam::stepRetries::stepRetries(Time& time, stepLimits& limits, lastStep& last,
     {
         Info << "No step is taken back: " << obstacle.c_str() << nl << endl;
     }
+    if (maxRetries_ == 0) last_.divided() = lastStep::division();
     limitSteps();
 }
 
@@ -112,7 +113,6 @@ void Foam::stepRetries::recover()
     if (limits_.adjusted() && d.subSteps > 1)
     {
         d.limit = time_.deltaTValue() / d.subSteps;
-        limits_.setCourantNo(d.subSteps * limits_.CourantNo());
         d.subSteps = 1;
     }
     const bool divided = d.subSteps > 1 || d.limit < GREAT;

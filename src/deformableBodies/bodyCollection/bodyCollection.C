@@ -281,7 +281,7 @@ void Foam::bodyCollection::restore(const snapshot& s)
     {
         system_.interactions->remember(s.interactions);
         system_.interactions->samples().setWork(s.contactWork);
-        system_.interactions->outdate();
+        system_.interactions->stepBack();
     }
     trouble_.clear();
 

@@ -122,11 +122,12 @@ void Foam::bodyReader::readFluid()
     system_.firstFlow.speed = before.getOrDefault<scalar>("flowSpeed", -1);
     system_.firstFlow.rate = before.getOrDefault<scalar>("flowRate", -1);
     const dictionary loads(before.subOrEmptyDict("loads"));
+    const word all(dict_.getOrDefault<word>("restart", "continue"));
     for (const word& group : loads.toc())
     {
         const dictionary& own =
             dict_.subOrEmptyDict("bodies").subOrEmptyDict(group);
-        if (own.getOrDefault<word>("restart", "continue") == "continue")
+        if (own.getOrDefault<word>("restart", all) != "initial")
             system_.firstLoads.insert(group, loads.get<scalar>(group));
     }
 }

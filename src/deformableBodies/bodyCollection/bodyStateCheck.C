@@ -146,12 +146,31 @@ void Foam::bodyState::compareEntries(const label g, const entryHistory& then,
     const bool all = g == system_.groups.size();
     const word name(all ? word::null : system_.groups[g].name());
     string taken, unused;
+    const auto given = [&](const std::string& beginning)
+    {
+        string value;
+        for (const Tuple2<string, string>& e : given_[g])
+        {
+            if (e.first().compare(0, beginning.size(), beginning) == 0)
+                value = e.second();
+        }
+        return value;
+    };
     for (changedEntry& change : changes(then, given_[g]))
     {
         // A body is made with ends and scheme
         string otherwise;
         if (!all && change.name == "ends") otherwise = "(free free)";
         if (!all && change.name == "scheme") otherwise = "implicit";
+
+        // A clamp keeps its direction, and a moved end is moved from where it began
+        const bool ofEnds =
+            !all && ((change.name == "directions" &&
+                      given("ends").find("clamped") != std::string::npos) ||
+                     (wordList({"positions", "directions", "bow"})
+                          .found(change.name) &&
+                      !given("baseMotion").empty()));
+        if (ofEnds) otherwise = "none";
         if (!otherwise.empty())
         {
             if (change.then.empty()) change.then = otherwise;

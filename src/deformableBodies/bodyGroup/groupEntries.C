@@ -55,6 +55,18 @@ void Foam::groupEntries::addWeight(const bool on, const scalar excess) const
                                 : "none on the bodies");
 }
 
+bool Foam::groupEntries::isAlone() const
+{
+    label nGroups = 0;
+    for (const entry& e : dict_.parent())
+    {
+        nGroups += e.isDict();
+    }
+    return nGroups == 1 && !dict_.found("nucleus") &&
+           dict_.found("positions") &&
+           pointField(dict_.lookup("positions")).size() == 1;
+}
+
 Foam::groupEntries::nearField
 Foam::groupEntries::readNearField(const string& never,
                                   const scalar errorWithout) const
@@ -78,7 +90,7 @@ Foam::groupEntries::readNearField(const string& never,
     if (wanted == "off") whyNot = "off";
     const scalar error = scene_.accuracy.wanted;
     if (wanted == "auto" && whyNot.empty() && errorWithout >= 0 &&
-        errorWithout <= 0.6 * error)
+        errorWithout <= 0.6 * error && isAlone())
     {
         whyNot = "accuracy " + Foam::name(error) + " needs none";
     }

@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "bodySystem.H"
+#include "lastStep.H"
 #include "fvOptions.H"
 
 Foam::bodySystem::bodySystem(const fvMesh& mesh, const bool solverBalances)
@@ -84,7 +85,7 @@ Foam::bodySystem::loads(const labelUList& which) const
     all.X.setSize(nMarkers(acting));
     all.F.setSize(all.X.size());
     const Time& time = mesh.time();
-    const scalar middle = time.value() - 0.5 * time.deltaTValue();
+    const scalar middle = time.value() - 0.5 * lastStep::subStep(time);
     label first = 0;
     for (const label g : acting)
     {
@@ -108,12 +109,12 @@ bool Foam::bodySystem::isDriven() const
 {
     const auto* options = mesh.cfindObject<fv::options>(fv::options::typeName);
     if (!options) return false;
-    const wordList drive({"meanVelocityForce", "patchMeanVelocityForce",
-                          "vectorSemiImplicitSource", "vectorCodedSource"});
+    const wordList others({"deformableBodies", "ABCForcing",
+                           "EswaranPopeForcing"}); // without a mean force
     for (const fv::option& o :
          static_cast<const PtrList<fv::option>&>(*options))
     {
-        if (drive.found(o.type()) && o.active() && o.applyToField("U") >= 0)
+        if (!others.found(o.type()) && o.active() && o.applyToField("U") >= 0)
         {
             return true;
         }

@@ -7,6 +7,7 @@
 #include "startChecks.H"
 #include "Time.H"
 #include "wallPolyPatch.H"
+#include "wallSides.H"
 
 Foam::boxChecks::boxChecks(const fvMesh& mesh, PtrList<bodyGroup>& groups,
                            markerSet& markers,
@@ -121,6 +122,7 @@ Foam::string Foam::boxChecks::divergence(const bodyGroup& group,
 
 void Foam::boxChecks::checkStart(const dictionary& dict) const
 {
+    requireWalls(grid_);
     startChecks(grid_, groups_).check(dict);
 }
 

@@ -129,18 +129,12 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                  {"radius", radius_},
                  {"area", referenceArea_}};
 
-    if (!twoWay() && dict.getOrDefault<word>("motion", "auto") == "penalty")
-    {
-        refuse(dict, "motion", "penalty",
-               "auto, explicit or stabilised with coupling oneWay: the fluid "
-               "takes no load");
-    }
     setNearField(dict, extent);
     const scalar ratio = viscosityRatio_ / scene_.viscosityAround;
     motion_ = capsuleMotion::New(dict,
                                  {*shell_, harmonics(), radius_,
                                   0.5 * (1 + ratio) * scene_.mu, scene_.rho,
-                                  scene_.effects, ratio},
+                                  scene_.effects, ratio, !twoWay()},
                                  scene_, nearField_.get());
     filter_ = readFilter(dict, harmonics());
     warnOfHarmonics(dict, degree, meshDegree);

@@ -97,7 +97,7 @@ Foam::capsuleShell::motionLast(const numbers& x, const numbers& v,
     numbers velocities(onGrid_.size());
     grid().values(x.data(), onGrid_.data());
     grid().values(v.data(), velocities.data());
-    vector flux(Zero), swirl(Zero), inertia(Zero);
+    vector flux(Zero), swirl(Zero), inertia(Zero), first(Zero);
     for (label k = 0; k < n; ++k)
     {
         const vector r(vectorOf(onGrid_, n, k) - X),
@@ -107,9 +107,13 @@ Foam::capsuleShell::motionLast(const numbers& x, const numbers& v,
         const vector squares(cmptMultiply(r, r));
         flux += (u & dS) * r;
         swirl += mag(dS) * (r ^ u);
+        first += mag(dS) * r;
         inertia += mag(dS) * (vector(1, 1, 1) * cmptSum(squares) - squares);
     }
-    return {flux / volume, cmptDivide(swirl, inertia)};
+    // The centre of the area is another one
+    const vector velocity(flux / volume);
+    swirl -= first ^ velocity;
+    return {velocity, cmptDivide(swirl, inertia)};
 }
 
 void Foam::capsuleShell::volumeGradient(const numbers& x, numbers& g) const

@@ -90,17 +90,17 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
     const scalar gain = twoWay()
                             ? forcingGain(s)
                             : drag_ * properties_.length / max(n, label(1));
+    around.drag = gain;
+    if (couple_) around.couple = couple_->K();
+    if (twoWay()) shareAmongLines(lineDensity, around);
     if (scene_.forces.actOn(name(), mine()[i]))
     {
-        addLoads(i, gain, s, around);
+        addLoads(i, n ? min(around.drag) : gain, s, around);
     }
     if (base_.valid())
     {
         x.line.moveEnd(movedEnd(), x.start + base_->value(s.time));
     }
-    around.drag = gain;
-    if (couple_) around.couple = couple_->K();
-    if (twoWay()) shareAmongLines(lineDensity, around);
     const vectorField change(x.change(U, !x.line.started()));
     for (label k = 0; k < n; ++k)
     {

@@ -64,7 +64,8 @@ Foam::fluidViscosity::fluidViscosity(const fvMesh& mesh,
     if (simulation == "laminar" && !viscous.found(stress))
     {
         varies_ = false;
-        if (!given_)
+        known_ = given_;
+        if (!given_ && &bodies != &dictionary::null)
         {
             refuse(bodies, "nu", "none",
                    "a number [m^2/s] that bodies take for the viscosity of the "

@@ -126,9 +126,10 @@ void Foam::rigidGroup::judgeSize(const dictionary& dict) const
             h / cmptMin(scene_.grid.h()), 0, GREAT, 0, 1.25,
             "the kernel is another in each direction, and drag and "
             "rotation with it"},
-           {"shape", "radius/h", shape_.radius() / h, 1, 250, 2, 40,
-            "a surface needs some cells to be one, and the near field's "
-            "time grows with the fourth power of their number"},
+           {"shape", "radius/h", shape_.radius() / h, 1, 250, 2, 25,
+            "a surface needs some cells to be one, and time and memory of the "
+            "near field grow with the fourth power of their number (at 40: 3 "
+            "GB on each rank)"},
            {"shape", "smallest semi-axis/h", cmptMin(shape_.semiAxes()) / h, 1,
             GREAT, 2, GREAT, "a surface needs some cells to be one"},
            {"shape", "diameter/side of the box",
@@ -139,9 +140,17 @@ void Foam::rigidGroup::judgeSize(const dictionary& dict) const
 void Foam::rigidGroup::setNearField(const dictionary& dict,
                                     const scalar spacing)
 {
+    // The error near walls is larger
+    bool walls = false;
+    for (direction d = 0; d < 3; ++d)
+    {
+        walls = walls || !scene_.grid.periodic(d);
+    }
     const groupEntries::nearField entry(
         groupEntries(name(), dict, scene_)
-            .readNearField("", densityRatio_ < 1 ? -1 : errorOfCells(false)));
+            .readNearField("", densityRatio_ < 1 || walls
+                                   ? -1
+                                   : errorOfCells(false)));
     const bool on = entry.whyNot.empty();
     if (on)
     {
@@ -225,7 +234,9 @@ void Foam::rigidGroup::findOverlap()
 void Foam::rigidGroup::findNearMobility()
 {
     const label n = markers_.size();
-    const label degree = max(label(1), label(1.6 * shape_.radius() / h_));
+    // Higher degrees are lost in round-off
+    const label degree =
+        min(label(32), max(label(1), label(1.6 * shape_.radius() / h_)));
     projection_.reset(new coarsePoints(nearDirections(n), degree, n));
     vectorField u(n);
     for (direction d = 0; d < 3; ++d)

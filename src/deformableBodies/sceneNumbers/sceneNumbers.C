@@ -2,6 +2,7 @@
 
 #include "sceneNumbers.H"
 #include "caseFiles.H"
+#include "dictionaryChecks.H"
 #include "gaussGrad.H"
 #include "shearSides.H"
 #include "StringStream.H"
@@ -84,6 +85,30 @@ scalar gapOfSides(const uniformGrid& grid)
     return least;
 }
 
+//- Mean velocity that a uniform force per mass, of vectorSemiImplicitSource, drives between
+//  sides of that distance: of a parabola, at most that of turbulence, some 18 friction
+//  velocities; 0: there is no such force [m/s]
+scalar drivenMean(const fvMesh& mesh, const scalar width)
+{
+    const auto* transport =
+        mesh.findObject<dictionary>("transportProperties");
+    scalar force = 0;
+    for (const dictionary& coeffs :
+         optionsOfType(mesh, "vectorSemiImplicitSource"))
+    {
+        const dictionary& rates = coeffs.subOrEmptyDict("injectionRateSuSp");
+        if (coeffs.getOrDefault<word>("volumeMode", "") != "specific" ||
+            !rates.found("U"))
+            continue;
+        const Tuple2<vector, scalar> rate(rates.lookup("U"));
+        force = max(force, mag(rate.first()));
+    }
+    if (!transport || !transport->found("nu") || force == 0) return 0;
+    const scalar nu = readPositive(*transport, "nu", dimViscosity);
+    return min(force * sqr(width) / (12 * nu),
+               18 * std::sqrt(0.5 * force * width));
+}
+
 //- Largest rate of strain of U, in cells at the sides of the box and in others [1/s]
 //  (collective)
 void largestRates(const volVectorField& U, scalar& atSides, scalar& inside)
@@ -162,9 +187,14 @@ Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh)
         {
             mean = max(mean, mag(coeffs.getOrDefault<vector>("Ubar", Zero)));
         }
+        if (mean > 0) s.from = "parabola of Ubar of meanVelocityForce";
+        if (mean == 0)
+        {
+            mean = drivenMean(mesh, width);
+            s.from = "parabola of vectorSemiImplicitSource";
+        }
         s.speed = 1.5 * mean;
         s.rate = 6 * mean / width;
-        if (mean > 0) s.from = "parabola of Ubar of meanVelocityForce";
     }
     return s;
 }

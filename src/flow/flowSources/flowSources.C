@@ -251,6 +251,7 @@ void Foam::flowSources::restore(const std::vector<scalarList>& states)
     {
         forcings_[i]->setState(states[i]);
     }
+    flow_.mean().forget();
 }
 
 void Foam::flowSources::report()
@@ -261,9 +262,11 @@ void Foam::flowSources::report()
     gradient_ =
         wasHeld_ ? sign(Ubar_[axisOf(Ubar_)]) * flow_.mean().gradient() : 0;
     wasHeld_ = true;
+    const scalar mean = flow_.mean().meanGradient();
+    flow_.mean().forget();
     Info << "Pressure gradient source: uncorrected Ubar = "
          << flow_.mean().meanBefore()
-         << ", pressure gradient = " << flow_.mean().gradient() << endl;
+         << ", pressure gradient = " << mean << endl;
     if (Pstream::master())
     {
         if (!file_.valid())
@@ -273,7 +276,7 @@ void Foam::flowSources::report()
             *file_ << "# time gradient uncorrectedUbar" << endl;
             file_->precision(12);
         }
-        *file_ << U_.time().value() << ' ' << flow_.mean().gradient() << ' '
+        *file_ << U_.time().value() << ' ' << mean << ' '
                << flow_.mean().meanBefore() << endl;
     }
 }

@@ -155,7 +155,8 @@ void Foam::staggeredFlow::chooseTimeScheme(const scalar deltaT,
                    stableCourantNo());
 }
 
-void Foam::staggeredFlow::setLimits(stepLimits& limits, const bool mayChoose)
+void Foam::staggeredFlow::setLimits(stepLimits& limits, const bool mayChoose,
+                                    const scalar mostCo)
 {
     const scalar deltaT = fields_.time().deltaTValue();
     limits.setCourantNo(CourantNo(deltaT));
@@ -163,19 +164,25 @@ void Foam::staggeredFlow::setLimits(stepLimits& limits, const bool mayChoose)
     { return diffusion_.maxDeltaT(nu_.max(), scheme_); };
     if (mayChoose)
     {
-        const scalar others = min(limits.smallestOther(), byDiffusion());
+        const scalar others =
+            min(min(limits.smallestOther(), byDiffusion()),
+                mostCo / max(CourantNo(1), VSMALL));
         chooseTimeScheme(limits.adjusted() ? others : deltaT,
                          limits.adjusted());
     }
     limits.set("diffusion", byDiffusion(), "diffusion explicit",
                byDiffusion() < GREAT ? "" : "implicit where needed");
-    const scalar stable = stableCourantNo();
+    const scalar stable = min(stableCourantNo(), mostCo);
     if (!(stable < GREAT)) return;
-    limits.guard().expect(stable, "the stability of timeScheme " + timeScheme(),
-                          true,
-                          scheme_.RK3() ? ""
-                                        : "timeScheme RK3; in PIMPLE of "
-                                          "system/fvSolution");
+    const bool byScheme = stable < mostCo;
+    limits.guard().expect(
+        stable,
+        byScheme ? "the stability of timeScheme " + timeScheme()
+                 : string("bodies, which pass a cell in a step"),
+        true,
+        byScheme && !scheme_.RK3()
+            ? "timeScheme RK3; in PIMPLE of system/fvSolution"
+            : "");
 }
 
 Foam::scalar Foam::staggeredFlow::divergence()

@@ -161,7 +161,7 @@ void Foam::staggeredFlow::diffuse()
 {
     const wallVelocities change(walls_.advance(scheme_.passed()));
     const scalar b = implicitDiffusivity();
-    if (!diffusion_.isExplicit())
+    if (b > 0)
     {
         const auto timing(effects_.time("diffusion"));
         staggeredField& x = increment();

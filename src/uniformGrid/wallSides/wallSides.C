@@ -1,6 +1,9 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "wallSides.H"
+#include "dictionaryChecks.H"
+#include "fixedValueFvPatchFields.H"
+#include "noSlipFvPatchVectorField.H"
 #include "volFields.H"
 #include "wallPolyPatch.H"
 
@@ -37,4 +40,27 @@ Foam::wallSides(const uniformGrid& grid)
         }
     }
     return sides;
+}
+
+void Foam::requireWalls(const uniformGrid& grid)
+{
+    const auto* U = grid.mesh().findObject<volVectorField>("U");
+    if (!U) return;
+    for (const fvPatchVectorField& Ub : U->boundaryField())
+    {
+        const polyPatch& patch = Ub.patch().patch();
+        if (patch.coupled() || isA<wallPolyPatch>(patch)) continue;
+        const wordList ofWalls({noSlipFvPatchVectorField::typeName,
+                                fixedValueFvPatchVectorField::typeName});
+        const scalar through = gMax(mag(Ub & Ub.patch().nf()));
+        if (!ofWalls.found(Ub.type()) || through > 1e-9 * gMax(mag(Ub)))
+            continue;
+        waitForMaster();
+        FatalErrorInFunction
+            << "patch " << patch.name() << " of type " << patch.type()
+            << " has the velocity of a wall (" << Ub.type()
+            << ", along it): bodies would pass through it" << nl
+            << "    allowed: type wall; in system/blockMeshDict, or in "
+            << "constant/polyMesh/boundary" << exit(FatalError);
+    }
 }

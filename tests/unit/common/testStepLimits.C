@@ -106,6 +106,15 @@ TEST(StepLimits, adjustedStepKeepsTheVelocity)
     EXPECT_NEAR(r.time.deltaTValue(), 0.25, 1e-12);
     EXPECT_NEAR(r.limits.CourantNo(), 0.5, 1e-12);
 
+    // A Courant number that was measured in a sub-step
+    run divided("adjustTimeStep yes; maxCo 0.5;");
+    divided.time.subCycle(8);
+    ++divided.time;
+    divided.limits.setCourantNo(0.5);
+    divided.time.endSubCycle();
+    EXPECT_NEAR(divided.limits.binding().dt, 0.125, 1e-12);
+    EXPECT_NEAR(divided.limits.smallestOther(), 0.125, 1e-12);
+
     run fixed("adjustTimeStep no; maxCo 0.5;");
     fixed.limits.setCourantNo(2);
     fixed.limits.adjust(fixed.time);

@@ -70,6 +70,14 @@ Foam::scalar Foam::lastStep::readSubStep(const Time& time)
            dictionaryOf(time, "lastStep").getOrDefault<label>("parts", 1);
 }
 
+Foam::scalar Foam::lastStep::subStep(const Time& time)
+{
+    const auto* step = time.findObject<lastStep>("lastStep");
+    const label parts =
+        step && !time.subCycling() ? step->division_.parts : 1;
+    return time.deltaTValue() / parts;
+}
+
 void Foam::lastStep::refuseDiverged(const Time& time)
 {
     const dictionary last(dictionaryOf(time, "lastStep"));

@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "bodyStress.H"
+#include "lastStep.H"
 #include "Time.H"
 
 namespace
@@ -29,17 +30,19 @@ bool Foam::bodyStress::hasFilms() const
            (system_.interactions && system_.interactions->resists());
 }
 
-Foam::wordList Foam::bodyStress::names() const
+Foam::wordList Foam::bodyStress::names(wordList taken) const
 {
     DynamicList<word> all;
+    taken.append(wordList({"contacts", "wallContacts", "films", "netForces"}));
     actingGroups(system_,
                  [&](const label g)
                  {
                      const bodyGroup& group = system_.groups[g];
-                     const bool taken = wordList({"contacts", "wallContacts",
-                                                  "films", "netForces"})
-                                            .found(group.name());
-                     const word name(group.name() + (taken ? "Group" : ""));
+                     word name(group.name());
+                     while (taken.found(name) || all.found(name))
+                     {
+                         name += "Group";
+                     }
                      all.append(name);
                      if (group.report().nCoupleMarkers())
                      {
@@ -64,7 +67,8 @@ void Foam::bodyStress::addForces(const label g, tensor& own, tensor& couple,
     const Time& time = system_.mesh.time();
     const uniformGrid& grid = system_.grid;
     vectorField X(group.nMarkers()), F(group.nMarkers());
-    group.loads(X.data(), F.data(), time.value() - 0.5 * time.deltaTValue());
+    group.loads(X.data(), F.data(),
+                time.value() - 0.5 * lastStep::subStep(time));
     const point middle(grid.origin() + 0.5 * grid.length());
     const label n = group.mine().size(), each = n ? X.size() / n : 0,
                 nForces = each - group.report().nCoupleMarkers();

@@ -38,11 +38,15 @@ Foam::scalarField Foam::bulkStatistics::forces(const direction f,
 void Foam::bulkStatistics::watchStress(const bool implicit,
                                        const dictionary* function)
 {
+    const word name(function ? function->subDict("bulkStress").dictName()
+                             : word::null);
+    if (stress_ && name == function_) return;
     if (stress_)
     {
         refuse(*function, "bulkStress", "a second functionObject of that type",
                "one");
     }
+    function_ = name;
     stress_ = bulkStress::New(function ? *function : entry_, system_, layers_,
                               implicit);
 }

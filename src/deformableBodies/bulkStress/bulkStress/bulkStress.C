@@ -74,7 +74,7 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
     : system_(system),
       flow_(flow),
       bodies_(system),
-      parts_(bodies_.names()),
+      parts_(bodies_.names(fluidColumns())),
       implicit_(implicit),
       interval_(dict.getOrDefault<label>("interval", 10)),
       startAverage_(dict.getOrDefault<scalar>("startAverage", -GREAT)),
@@ -90,8 +90,13 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
 {
     checkEntries(dict);
     const auto saved = stateOfTime(system.mesh, "bulkStress");
-    if (saved && !system.startsAfresh() &&
-        saved->get<wordList>("columns") == columns())
+    if (saved && (system.startsAfresh() ||
+                  saved->get<wordList>("columns") != columns()))
+    {
+        Info << "Bulk stress: means start afresh, as the bodies or their "
+             << "effects are not those of the state" << nl;
+    }
+    else if (saved)
     {
         means_.restore(saved->get<scalarList>("sums"));
         lastTime_ = saved->get<scalar>("lastTime");

@@ -13,21 +13,22 @@ Foam::fileName folderOf(const Foam::fvMesh& mesh)
 }
 } // namespace
 
+Foam::wordList Foam::bulkStress::fluidColumns()
+{
+    return {"relativeViscosity", "N1",       "N2",
+            "particleStress",    "reynoldsStress", "wallStress",
+            "unsteady",          "residual", "wallLower",
+            "wallUpper",         "contactPressure"};
+}
+
+// Parts are between the stresses and what checks them
 Foam::wordList Foam::bulkStress::columns() const
 {
-    DynamicList<word> all;
-    for (const word name : {"relativeViscosity", "N1", "N2", "particleStress",
-                            "reynoldsStress", "wallStress"})
-    {
-        all.append(name);
-    }
+    const wordList fluid(fluidColumns());
+    wordList all(SubList<word>(fluid, 6));
     all.append(parts_);
-    for (const word name :
-         {"unsteady", "residual", "wallLower", "wallUpper", "contactPressure"})
-    {
-        all.append(name);
-    }
-    return wordList(std::move(all));
+    all.append(SubList<word>(fluid, 5, 6));
+    return all;
 }
 
 Foam::wordList Foam::bulkStress::partColumns() const

@@ -38,11 +38,10 @@ Foam::functionObjects::bodyStatistics::bodyStatistics(const word& name,
         groups_.emplace_back(bodies_.system().groups[g],
                              uniformGrid::New(mesh_), settings);
     }
-    bodyCollection::New(mesh_).sampledBy([dict, &time]()
-                                         { return isExecuted(dict, time); });
+    bodyCollection::New(mesh_).sampledBy(due());
     settings_ = textOf(settings);
     readState();
-    keepState(dict);
+    keepState();
 }
 
 void Foam::functionObjects::bodyStatistics::writeState(Ostream& os) const

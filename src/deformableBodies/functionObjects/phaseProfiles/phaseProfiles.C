@@ -78,7 +78,7 @@ Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
     volume_.setSize(groups, scalarField(n, Zero));
     momentum_.setSize(groups, vectorField(n, Zero));
     readState();
-    keepState(dict);
+    keepState();
 }
 
 Foam::direction Foam::functionObjects::phaseProfiles::readDirection(
@@ -116,6 +116,12 @@ Foam::functionObjects::phaseProfiles::sums() const
 void Foam::functionObjects::phaseProfiles::writeState(Ostream& os) const
 {
     os << "directions (" << label(f_) << ' ' << label(g_) << ");" << nl
+       << "groups (";
+    for (const bodyGroup& group : bodies_.system().groups)
+    {
+        os << group.name() << ' ';
+    }
+    os << ");" << nl
        << "weight " << weight_ << ';' << nl;
     DynamicList<scalar> all;
     for (const UList<scalar>& numbers : sums())
@@ -134,6 +140,17 @@ void Foam::functionObjects::phaseProfiles::readState()
     {
         Info << "functionObject " << name() << " starts afresh: its directions "
              << "are not those of the state" << nl;
+        return;
+    }
+    wordList groups;
+    for (const bodyGroup& group : bodies_.system().groups)
+    {
+        groups.append(group.name());
+    }
+    if (saved->getOrDefault<wordList>("groups", groups) != groups)
+    {
+        Info << "functionObject " << name() << " starts afresh: its groups are "
+             << "not those of the state" << nl;
         return;
     }
     const scalarList numbers(saved->get<scalarList>("sums"));

@@ -6,17 +6,36 @@
 #include "functionTimes.H"
 #include "OSspecific.H"
 #include "resultFile.H"
+#include "stateObject.H"
+
+//- State of a functionObject
+class Foam::functionObjects::sampledBodies::sums
+    : public stateObject<IOdictionary>
+{
+public:
+    using stateObject<IOdictionary>::stateObject;
+};
+
+Foam::functionObjects::sampledBodies::~sampledBodies() = default;
 
 Foam::functionObjects::sampledBodies::sampledBodies(const word& name,
                                                     const Time& time,
                                                     const dictionary& dict,
                                                     const word& type)
     : fvMeshFunctionObject(name, time, dict),
+      entries_(std::make_shared<dictionary>(dict)),
       timeStart_(dict.getOrDefault<scalar>("timeStart", -GREAT)),
       bodies_(bodyCollection::New(mesh_)),
       last_(max(time.value(), timeStart_))
 {
     uniformGrid::New(mesh_).require(dict, type);
+    if (sums* before = mesh_.getObjectPtr<sums>(name))
+    {
+        OStringStream text;
+        before->writeData(text);
+        taken_.reset(new dictionary(IStringStream(text.str())()));
+        before->checkOut();
+    }
     if (mesh_.foundObject<regIOobject>(name))
     {
         refuse(dict.parent(), name, type,
@@ -47,6 +66,7 @@ std::unique_ptr<Foam::dictionary>
 Foam::functionObjects::sampledBodies::savedState() const
 {
     std::unique_ptr<dictionary> state;
+    if (taken_) return std::unique_ptr<dictionary>(new dictionary(*taken_));
     const auto saved = stateOfTime(mesh_, name());
     if (!saved) return state;
     if (saved->getOrDefault<scalar>("timeStart", timeStart_) != timeStart_)
@@ -65,27 +85,58 @@ Foam::functionObjects::sampledBodies::savedState() const
     return state;
 }
 
-void Foam::functionObjects::sampledBodies::keepState(const dictionary& dict)
+void Foam::functionObjects::sampledBodies::keepState()
 {
-    if (!postProcess && Pstream::master())
+    if (!postProcess && !taken_ && Pstream::master())
     {
         keepLaterResults(time_, name(), time_.value());
     }
-    state_.reset(new stateObject<IOdictionary>(name(), "uniform", mesh_,
-                                               [this, dict](Ostream& os)
-                                               {
-                                                   if (isExecuted(dict, time_))
-                                                       execute();
-                                                   OStringStream text;
-                                                   text.precision(17);
-                                                   text << "last " << last_
-                                                        << ';' << nl
-                                                        << "timeStart "
-                                                        << timeStart_ << ';'
-                                                        << nl;
-                                                   writeState(text);
-                                                   os << text.str().c_str();
-                                               }));
+    taken_.reset();
+    const auto write = [this](Ostream& os)
+    {
+        if (due()()) execute();
+        OStringStream text;
+        text.precision(17);
+        text << "last " << last_ << ';' << nl << "timeStart " << timeStart_
+             << ';' << nl;
+        writeState(text);
+        os << text.str().c_str();
+    };
+    state_.reset(new sums(name(), "uniform", mesh_, write));
+}
+
+std::function<bool()> Foam::functionObjects::sampledBodies::due() const
+{
+    const std::weak_ptr<dictionary> entries(entries_);
+    const Time& time = time_;
+    return [entries, &time]()
+    {
+        const auto now = entries.lock();
+        return now && isExecuted(*now, time);
+    };
+}
+
+bool Foam::functionObjects::sampledBodies::read(const dictionary& dict)
+{
+    const auto others = [](dictionary entries)
+    {
+        for (const word times :
+             {"executeControl", "executeInterval", "writeControl",
+              "writeInterval", "timeEnd", "enabled", "log"})
+        {
+            entries.remove(times);
+        }
+        return entries;
+    };
+    if (others(dict) != others(*entries_))
+    {
+        WarningInFunction << "functionObject " << name() << ": only times of "
+                          << "samples and of output can be changed during the "
+                          << "run" << nl << "    Other entries are those of "
+                          << "the start" << endl;
+    }
+    *entries_ = dict;
+    return fvMeshFunctionObject::read(dict);
 }
 
 Foam::scalar Foam::functionObjects::sampledBodies::elapsed()

@@ -123,11 +123,8 @@ Foam::scalar Foam::bodyInteractions::pressed() const
 Foam::scalar Foam::bodyInteractions::maxDeltaT()
 {
     const scalar now = pressed();
-    if (returnReduce(!hasForces_ || near_.isOld(), orOp<bool>()))
-    {
-        compareBoxes();
-    }
-    return near_.any() ? models_.maxDeltaT(now) : GREAT;
+    if (near_.isOld()) compareBoxes();
+    return near_.anyOnAnyRanks() ? models_.maxDeltaT(now) : GREAT;
 }
 
 bool Foam::bodyInteractions::actOn(const label group, const label body) const
@@ -159,7 +156,8 @@ Foam::vector Foam::bodyInteractions::forceOn(const label group,
 Foam::string Foam::bodyInteractions::state() const
 {
     std::ostringstream os;
-    os << std::setprecision(17) << "    pressed " << pressed() << ";\n";
+    os << std::setprecision(17) << "    pressed " << pressed()
+       << ";\n    travel " << near_.lastTravel() << ";\n";
     return os.str() + interactionState::write(models_, numbers_);
 }
 
@@ -169,6 +167,7 @@ void Foam::bodyInteractions::readState(const dictionary& saved,
     if (!initial.found(true))
     {
         pressedBefore_ = saved.getOrDefault<scalar>("pressed", GREAT);
+        near_.travel(saved.getOrDefault<scalar>("travel", 0));
     }
     interactionState::read(saved, initial, numbers_, models_, effects_);
 }

@@ -12,10 +12,8 @@
 void Foam::bodyInteractions::update()
 {
     const auto timing(effects_.time("interactions"));
-    if (returnReduce(near_.isOld() || bodiesChanged(), orOp<bool>()))
-    {
-        compareBoxes();
-    }
+    const bool changed = returnReduce(bodiesChanged(), orOp<bool>());
+    if (near_.isOld() || changed) compareBoxes();
     const bool first = !hasForces_;
     hasForces_ = true;
     watch_.begin();
@@ -42,7 +40,6 @@ void Foam::bodyInteractions::update()
     }
     contactMoment_ -= momentAboutCentres();
     actOfWalls();
-    watch_.end();
     samples_.addPower(points_.power(), time_.deltaTValue());
     if (first) judgeStart();
 }

@@ -63,6 +63,15 @@ Foam::boolList Foam::nearBodies::nearOthers(const UList<boundBox>& boxes,
     return near;
 }
 
+bool Foam::nearBodies::isOld()
+{
+    const scalar way = returnReduce(way_, maxOp<scalar>());
+    way_ = 0;
+    if (way > 0) lastTravel_ = way;
+    travelled_ += way;
+    return travelled_ > 0.5 * skin();
+}
+
 void Foam::nearBodies::compare(const std::vector<body>& bodies,
                                const UList<boundBox>& boxes)
 {
@@ -70,8 +79,7 @@ void Foam::nearBodies::compare(const std::vector<body>& bodies,
     index_.clear();
 
     // Points of contact may be a step ahead
-    const scalar reach =
-        range_ + skin() + 2 * returnReduce(lastTravel_, maxOp<scalar>());
+    const scalar reach = range_ + skin() + 2 * lastTravel_;
     const boolList nearOther(nearOthers(boxes, reach));
     any_ = false;
     forAll(boxes, k)
@@ -85,5 +93,7 @@ void Foam::nearBodies::compare(const std::vector<body>& bodies,
         any_ = any_ || b.near;
     }
     reduce(any_, orOp<bool>());
+    if (travelled_ <= 0.5 * skin()) return;
     travelled_ = 0;
+    anyOnAnyRanks_ = any_;
 }

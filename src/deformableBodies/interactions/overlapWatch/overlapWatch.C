@@ -27,7 +27,9 @@ Foam::overlapWatch::overlapWatch(const Time& time,
 
 void Foam::overlapWatch::begin()
 {
-    now_ = overlaps();
+    if (stepIndex(time_) != step_) settle();
+    step_ = stepIndex(time_);
+    now_.time = time_.value();
     touching_.clear();
     closest_ = GREAT;
     nPairs_ = 0;
@@ -122,19 +124,18 @@ Foam::string Foam::overlapWatch::describe(const overlaps& all) const
     return firstOf(where);
 }
 
-void Foam::overlapWatch::end()
+void Foam::overlapWatch::settle()
 {
-    now_.time = time_.value();
-    all_.pairs.insert(now_.pairs.begin(), now_.pairs.end());
-    if (now_.depth > all_.depth)
-    {
-        now_.pairs.swap(all_.pairs);
-        all_ = now_;
-    }
-    if (!rarely_.due(stepIndex(time_))) return;
-    const string where(describe(now_));
+    const overlaps last(now_);
+    now_ = overlaps();
+    std::set<std::pair<label, label>> pairs(std::move(all_.pairs));
+    pairs.insert(last.pairs.begin(), last.pairs.end());
+    if (last.depth > all_.depth) all_ = last;
+    all_.pairs = std::move(pairs);
+    if (!rarely_.due(step_)) return;
+    const string where(describe(last));
     if (where.empty()) return;
-    rarely_.warned(stepIndex(time_));
+    rarely_.warned(step_);
     if (Pstream::master())
     {
         WarningInFunction
@@ -145,8 +146,9 @@ void Foam::overlapWatch::end()
     }
 }
 
-void Foam::overlapWatch::judge() const
+void Foam::overlapWatch::judge()
 {
+    settle();
     const string where(describe(all_));
     if (where.empty()) return;
 

@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "energySpectrum.H"
+#include "lastStep.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
 #include "fvOptions.H"
@@ -107,7 +108,7 @@ Foam::scalar Foam::functionObjects::energySpectrum::forcingPower() const
     }
     if (!forced) return 0;
     velocity(u);
-    const scalar half = 0.5 * time_.deltaTValue();
+    const scalar half = 0.5 * lastStep::subStep(time_);
     scalar power = 0;
     for (direction d = 0; d < 3; ++d)
     {

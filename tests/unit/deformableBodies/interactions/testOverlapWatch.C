@@ -52,7 +52,7 @@ TEST(OverlapWatch, fibres)
     EXPECT_FALSE(watch.surfacesTouch());
     EXPECT_EQ(watch.nPairs(), 4); // two pairs, counted twice
     EXPECT_NEAR(watch.closest(), 0.75 * h, 1e-12 * h);
-    watch.end();
+    watch.settle();
     EXPECT_EQ(watch.nOverlaps(), 1);
     EXPECT_NEAR(watch.deepest(), 0.25 * h, 1e-12 * h);
 
@@ -61,14 +61,14 @@ TEST(OverlapWatch, fibres)
     EXPECT_EQ(watch.closest(), GREAT);
     watch.pressedIntoWall(0.4 * h, 0, r.X[0]);
     watch.pressedIntoWall(0.1 * h, 2, r.X[2]);
-    watch.end();
+    watch.settle();
     EXPECT_EQ(watch.nOverlaps(), 3);
     EXPECT_EQ(watch.deepest(), 0.4 * h);
 
     // A smaller overlap of known bodies changes nothing
     watch.begin();
     watch.pressedIntoWall(0.2 * h, 0, r.X[0]);
-    watch.end();
+    watch.settle();
     EXPECT_EQ(watch.nOverlaps(), 3);
     EXPECT_EQ(watch.deepest(), 0.4 * h);
 }
@@ -83,7 +83,7 @@ TEST(OverlapWatch, fibresThatNothingKeepsApart)
     watch.begin();
     watch.look(r.pairs,
                List<interactingPoint>(2, interactingPoint{sqr(h), 0.5 * h}));
-    watch.end();
+    watch.settle();
     EXPECT_EQ(watch.nPairs(), 2);
     EXPECT_EQ(watch.nOverlaps(), 0);
 }
@@ -108,7 +108,7 @@ TEST(OverlapWatch, surfaces)
         vectorField areas(2, up);
         areas[cross ? 0 : 1] *= -1;
         watch.lookBehind(r.pairs, areas);
-        watch.end();
+        watch.settle();
         EXPECT_EQ(watch.nOverlaps(), cross ? 1 : 0);
         EXPECT_NEAR(watch.deepest(), cross ? depth : 0, 1e-12 * h);
     }
