@@ -66,22 +66,23 @@ std::unique_ptr<Foam::dictionary>
 Foam::functionObjects::sampledBodies::savedState() const
 {
     std::unique_ptr<dictionary> state;
-    if (taken_) return std::unique_ptr<dictionary>(new dictionary(*taken_));
-    const auto saved = stateOfTime(mesh_, name());
-    if (!saved) return state;
-    if (saved->getOrDefault<scalar>("timeStart", timeStart_) != timeStart_)
+    if (taken_)
+        state.reset(new dictionary(*taken_));
+    else if (const auto saved = stateOfTime(mesh_, name()))
+        state.reset(new dictionary(*saved));
+    if (!state) return state;
+    if (state->getOrDefault<scalar>("timeStart", timeStart_) != timeStart_)
     {
         Info << "functionObject " << name() << " starts afresh: its timeStart "
              << "is not that of the state" << nl;
-        return state;
+        return nullptr;
     }
-    if (bodies_.system().startsAfresh())
+    if (!taken_ && bodies_.system().startsAfresh())
     {
         Info << "functionObject " << name() << " starts afresh: bodies start "
              << "from the dictionary" << nl;
-        return state;
+        return nullptr;
     }
-    state.reset(new dictionary(*saved));
     return state;
 }
 
