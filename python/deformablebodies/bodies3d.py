@@ -318,7 +318,7 @@ def strip(case, picture, group, size=3.1, perRow=4):
     from vtkmodules.util.numpy_support import vtk_to_numpy
     all_ = case.pictures(group)
     chosen = [all_[i] for i in np.unique(np.linspace(0, len(all_) - 1, 2 * perRow).astype(int))]
-    view = View(case, (int(520 * perRow / 1.9) + 120, 580))
+    view = View(case, (int(520 * perRow / 1.9) + 150, 580))
     tension = lambda file: vtk_to_numpy(read(file).GetPointData().GetArray("tension1"))
     highest = max(np.percentile(tension(file), 99) for _, file in chosen) / (shearModulus(case, group) or 1)
     tip = points(chosen[0][1])[:, 0].argmax()
@@ -334,7 +334,7 @@ def strip(case, picture, group, size=3.1, perRow=4):
         ball.Update()
         view.actor(ball.GetOutput())[0].GetProperty().SetColor(0.8, 0.25, 0.1)
         view.label("t = %g" % time, at + middle + size * np.array((-0.25, -0.55, 0)))
-    view.bar(1 - 100 / view.size[0], 0.28)
+    view.bar(1 - 130 / view.size[0], 0.28)
     camera = view.scene.GetActiveCamera()
     camera.ParallelProjectionOn()
     middle = (0.5 * (perRow - 1) * size + 0.15 * size, -0.58 * size)
