@@ -224,11 +224,12 @@ googleTests()
 # judgeTrends <module> <table>: each claim of its function trends, by the pairs of rows that there are
 judgeTrends()
 {
-    local claim value
+    local claim value claims
+    check "$1: trends are judged" eval 'claims=$(tool "$1.trends" "$2")'
     while IFS='|' read -r claim value
     do
-        below "$claim" "$value" 0
-    done < <(tool "$1.trends" "$2")
+        [ -z "$claim" ] || below "$claim" "$value" 0
+    done <<< "$claims"
 }
 
 # tool <module>.<function> [arguments]: what a function of tests/tools returns

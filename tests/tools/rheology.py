@@ -142,4 +142,4 @@ def trends(table):
                     [b["D"] / a["D"] - 0.95 for a, b in neighbours(capsules, "nucleus")]))
     for text, values in missing:
         if values:
-            print("%s|%.3g" % (text, max(values)))
+            print("%s|%.3g" % (text, np.max(values)))

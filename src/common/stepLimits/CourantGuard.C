@@ -86,7 +86,7 @@ Foam::string Foam::CourantGuard::wrong(const scalar Co) const
     return string::null;
 }
 
-void Foam::CourantGuard::warn(const scalar Co, const scalar dt)
+void Foam::CourantGuard::warn(const scalar Co, const scalar rate)
 {
     // An adjusted step is adjusted to the velocity before: 5 % are allowed
     const Time& time = phi_.time();
@@ -96,27 +96,27 @@ void Foam::CourantGuard::warn(const scalar Co, const scalar dt)
     WarningInFunction << "Courant number " << Foam::name(Co) << " at time "
                       << time.timeName() << " is above " << Foam::name(stable_)
                       << ", the largest for " << who_.c_str() << nl
-                      << "    Reduce deltaT from " << Foam::name(dt)
-                      << " to less than " << Foam::name(stable_ * dt / Co)
+                      << "    Reduce deltaT from " << Foam::name(Co / rate)
+                      << " to less than " << Foam::name(stable_ / rate)
                       << ", or write adjustTimeStep yes; maxCo "
                       << Foam::name(0.5 * stable_) << "; in system/controlDict"
                       << (remedy_.empty() ? "" : ", or ") << remedy_.c_str()
                       << endl;
 }
 
-void Foam::CourantGuard::check(const scalar Co, const scalar deltaT,
+void Foam::CourantGuard::check(const scalar Co, const scalar rate,
                                const std::function<void()>& beforeStop,
                                const string& failed)
 {
     longest_ = max(longest_, phi_.time().deltaTValue());
     const string reason(failed.empty() ? wrong(Co) : failed);
-    if (!reason.empty()) stop(reason, Co / deltaT, beforeStop);
-    const scalar borne = stableStep(Co / deltaT);
+    if (!reason.empty()) stop(reason, rate, beforeStop);
+    const scalar borne = stableStep(rate);
     if (borne > 0 && (Co <= stable_ || borne_ == 0))
     {
         borne_ = borne_ > 0 ? min(borne_, borne) : borne;
     }
-    warn(Co, deltaT);
+    warn(Co, rate);
 }
 
 bool Foam::CourantGuard::solved(const word& field, const scalar residual)

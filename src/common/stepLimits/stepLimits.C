@@ -60,7 +60,7 @@ Foam::stepLimits::limit Foam::stepLimits::controlLimit() const
 
 Foam::scalar Foam::stepLimits::smallestOther() const
 {
-    scalar smallest = min(maxDeltaT_, maxCo_ / max(rate(), VSMALL));
+    scalar smallest = min(maxDeltaT_, maxCo_ / max(rate(), SMALL));
     for (const limit& l : limits_)
     {
         smallest = min(smallest, l.dt);
@@ -72,7 +72,7 @@ Foam::stepLimits::limit Foam::stepLimits::binding() const
 {
     const scalar last = time_.deltaTValue();
     const scalar byCo =
-        min(maxCo_, guard_.stable()) / max(rate(), VSMALL);
+        min(maxCo_, guard_.stable()) / max(rate(), SMALL);
     limit smallest{"flow", byCo,
                    maxCo_ <= guard_.stable() ? string("maxCo") : guard_.who(),
                    ""};
@@ -182,7 +182,7 @@ void Foam::stepLimits::judge(const std::function<void()>& beforeStop,
         }
         beforeStop();
     };
-    guard_.check(Co_, stepOfCo_, nameCauses, failed);
+    guard_.check(Co_, rate(), nameCauses, failed);
 }
 
 void Foam::stepLimits::judgeEstimate(const word& what, const string& remedy)

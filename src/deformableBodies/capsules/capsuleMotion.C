@@ -81,7 +81,9 @@ Foam::capsuleMotion::New(const dictionary& dict, const setting& s,
         refuse(dict, "motion", words[motion],
                "auto or explicit with coupling oneWay: the fluid takes no load");
     }
-    if (motion == AUTO) motion = automatic(scene, waves, limit, note);
+    if (s.passive) note = "the capsules move with the fluid";
+    if (motion == AUTO && !s.passive)
+        motion = automatic(scene, waves, limit, note);
     const word name(words[motion]);
 
     const scalar thickness = dict.found("thickness")

@@ -96,12 +96,14 @@ scalar drivenMean(const fvMesh& mesh, const scalar width)
     for (const dictionary& coeffs :
          optionsOfType(mesh, "vectorSemiImplicitSource"))
     {
+        // Later releases know other forms, too
         const dictionary& rates = coeffs.subOrEmptyDict("injectionRateSuSp");
+        const entry* rate = rates.findEntry("U");
         if (coeffs.getOrDefault<word>("volumeMode", "") != "specific" ||
-            !rates.found("U"))
+            !rate || !rate->isStream())
             continue;
-        const Tuple2<vector, scalar> rate(rates.lookup("U"));
-        force = max(force, mag(rate.first()));
+        force = max(force,
+                    mag(Tuple2<vector, scalar>(rate->stream()).first()));
     }
     if (!transport || !transport->found("nu") || force == 0) return 0;
     const scalar nu = readPositive(*transport, "nu", dimViscosity);

@@ -166,7 +166,7 @@ void Foam::staggeredFlow::setLimits(stepLimits& limits, const bool mayChoose,
     {
         const scalar others =
             min(min(limits.smallestOther(), byDiffusion()),
-                mostCo / max(CourantNo(1), VSMALL));
+                mostCo / max(CourantNo(1), SMALL));
         chooseTimeScheme(limits.adjusted() ? others : deltaT,
                          limits.adjusted());
     }

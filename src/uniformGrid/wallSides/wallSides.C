@@ -49,7 +49,9 @@ void Foam::requireWalls(const uniformGrid& grid)
     for (const fvPatchVectorField& Ub : U->boundaryField())
     {
         const polyPatch& patch = Ub.patch().patch();
-        if (patch.coupled() || isA<wallPolyPatch>(patch)) continue;
+        if (patch.coupled() || isA<wallPolyPatch>(patch) ||
+            returnReduce(patch.size(), sumOp<label>()) == 0)
+            continue;
         const wordList ofWalls({noSlipFvPatchVectorField::typeName,
                                 fixedValueFvPatchVectorField::typeName});
         const scalar through = gMax(mag(Ub & Ub.patch().nf()));

@@ -7,7 +7,7 @@ using namespace test;
 
 TEST(WallConditions, wallsMustMoveAsOne)
 {
-    test::box b(labelVector(4, 4, 4), vector(1, 1, 1), wallsInY, 1, "noSlip");
+    test::box b(labelVector(4, 4, 4), vector(1, 1, 1), wallsInY, 1);
     b.moveWalls(Zero, vector(1, 0, 2));
     EXPECT_EQ(wallConditions::unsupported(*b.U, *b.p), "");
     b.U->boundaryFieldRef()[3][5] = Zero;
@@ -18,11 +18,20 @@ TEST(WallConditions, wallsMustMoveAsOne)
     EXPECT_EQ(wallConditions::unsupported(*b.U, *b.p),
               "the velocity of a wall must be tangential, and it is not on the "
               "lower side in y");
+}
 
-    // A wall that goes wrong on the way
+// By noSlip, whose values are kept in some releases and reset to 0 in others
+TEST(WallConditions, aWallThatGoesWrongOnTheWay)
+{
+    test::box b(labelVector(4, 4, 4), vector(1, 1, 1), wallsInY, 1, "noSlip");
     b.moveWalls(Zero, Zero);
     auto flow = b.flow("");
     step(*flow, 0.001);
-    b.U->boundaryFieldRef()[3][5] = vector(1, 0, 0);
-    EXPECT_THROW(step(*flow, 0.001), Foam::IOerror);
+    fvPatchVectorField& wall = b.U->boundaryFieldRef()[3];
+    wall[5] = vector(1, 0, 0);
+    wall.evaluate();
+    if (mag(wall[5]) > 0)
+        EXPECT_THROW(step(*flow, 0.001), Foam::IOerror);
+    else
+        EXPECT_NO_THROW(step(*flow, 0.001));
 }

@@ -38,8 +38,7 @@ Foam::scalarField Foam::bulkStatistics::forces(const direction f,
 void Foam::bulkStatistics::watchStress(const bool implicit,
                                        const dictionary* function)
 {
-    const word name(function ? function->subDict("bulkStress").dictName()
-                             : word::null);
+    const fileName name(function ? function->name() : fileName::null);
     if (stress_ && name == function_) return;
     if (stress_)
     {
