@@ -90,6 +90,30 @@ TEST(FlowSolutions, StokesModeHasNoConvection)
                       1e-5);
 }
 
+TEST(FlowSolutions, withoutViscosityNothingDiffuses)
+{
+    const auto start = [](const vector& x)
+    {
+        return vector(std::cos(x.x()) * std::sin(x.y()),
+                      -std::sin(x.x()) * std::cos(x.y()), 0);
+    };
+    for (const bool walls : {false, true})
+    {
+        test::box b(labelVector(16, 16, 4), vector(2 * pi, 2 * pi, 1),
+                    walls ? wallsInY : periodic, 0);
+        b.start(start);
+        const flowRun explicitly(run(b, "diffusion explicit;", 0.5, 10));
+        for (const char* controls : {"diffusion ADI;", "diffusion FFT;"})
+        {
+            b.start(start);
+            const flowRun o(run(b, controls, 0.5, 10));
+            test::expectBelow(std::string("nu 0, ") + controls +
+                                  " against explicit",
+                              difference(o.u, explicitly.u), 1e-13);
+        }
+    }
+}
+
 TEST(FlowSolutions, pressureBalancesAForceInOneStep)
 {
     // A force that is a gradient, in waves of four cells, at nu dt/h^2 = 10
