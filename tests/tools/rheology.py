@@ -118,6 +118,7 @@ def trends(table):
     """Claims of rheology.md, each with what is missing at the worst pair of rows (at most 0: it holds)."""
     rows = list(points(table))
     capsules, fibres = ([r for r in rows if r["kind"] == kind] for kind in ("capsules", "fibres"))
+    known = [r for r in capsules if "Derror" in r]  # errors of D and inclination
     slow, soft = ("0.1", "1"), ("0.3", "0.5")
     stiff = {"nL3": ("10",), "dry": (None,)}
     # Text, sign, quantity, pairs, errors that the difference is to have
@@ -129,6 +130,8 @@ def trends(table):
         ("    is raised by nuclei at Re 0.1, Ca 0.3 and 0.5, 20 and 30 %", 1, "viscosity",
          neighbours(capsules, "nucleus", Re=("0.1",), Ca=soft, fraction=("0.2", "0.3")), 2),
         ("N1 of capsules is lowered by nuclei", -1, "N1", neighbours(capsules, "nucleus"), 1),
+        ("inclination of capsules falls with the fraction", -1, "angle", neighbours(known, "fraction"), 2),
+        ("D of capsules is lowered by nuclei", -1, "D", neighbours(known, "nucleus"), 3),
         ("viscosity of fibres, n L^3 10, falls from stiffness 1 to 0.001 to 0.0001", 1, "viscosity",
          neighbours(fibres, "stiffness", stiffness=("1", "0.001", "0.0001"), **stiff), 3),
         ("N1 of fibres, n L^3 10, is higher at stiffness 0.001 than at 1", -1, "N1",
