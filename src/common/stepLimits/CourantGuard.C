@@ -140,8 +140,7 @@ void Foam::CourantGuard::stop(const string& reason, const scalar rate,
     if (!starting) lastStep::writeBeforeStop(time, reason);
 
     const scalar dt = time.deltaTValue();
-    const scalar borne =
-        borne_ > 0 ? borne_ : stableStep(max(rate, VSMALL));
+    const scalar borne = borne_ > 0 ? borne_ : stableStep(max(rate, VSMALL));
     OStringStream allowed;
     if (borne < dt)
     {

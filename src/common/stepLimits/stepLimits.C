@@ -71,8 +71,7 @@ Foam::scalar Foam::stepLimits::smallestOther() const
 Foam::stepLimits::limit Foam::stepLimits::binding() const
 {
     const scalar last = time_.deltaTValue();
-    const scalar byCo =
-        min(maxCo_, guard_.stable()) / max(rate(), SMALL);
+    const scalar byCo = min(maxCo_, guard_.stable()) / max(rate(), SMALL);
     limit smallest{"flow", byCo,
                    maxCo_ <= guard_.stable() ? string("maxCo") : guard_.who(),
                    ""};

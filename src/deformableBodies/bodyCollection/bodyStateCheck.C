@@ -165,11 +165,11 @@ void Foam::bodyState::compareEntries(const label g, const entryHistory& then,
 
         // A clamp keeps its direction, and a moved end is moved from where it began
         const bool ofEnds =
-            !all && ((change.name == "directions" &&
-                      given("ends").find("clamped") != std::string::npos) ||
-                     (wordList({"positions", "directions", "bow"})
-                          .found(change.name) &&
-                      !given("baseMotion").empty()));
+            !all &&
+            ((change.name == "directions" &&
+              given("ends").find("clamped") != std::string::npos) ||
+             (wordList({"positions", "directions", "bow"}).found(change.name) &&
+              !given("baseMotion").empty()));
         if (ofEnds) otherwise = "none";
         if (!otherwise.empty())
         {

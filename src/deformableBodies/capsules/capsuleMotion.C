@@ -70,16 +70,15 @@ Foam::capsuleMotion::New(const dictionary& dict, const setting& s,
     // (tests/bench/stability); half of it where the near field undoes the smoothing
     const stabilisedMotion::waves waves(s);
     const scalar smoothed = 4 / waves.fastest();
-    scalar limit = s.passive   ? GREAT
-                   : nearField ? 0.5 * smoothed
-                               : smoothed;
+    scalar limit = s.passive ? GREAT : nearField ? 0.5 * smoothed : smoothed;
 
     motionType motion = readEnum(words, dict, "motion", AUTO);
     string note("motion " + words[motion]);
     if (s.passive && motion != AUTO && motion != EXPLICIT)
     {
-        refuse(dict, "motion", words[motion],
-               "auto or explicit with coupling oneWay: the fluid takes no load");
+        refuse(
+            dict, "motion", words[motion],
+            "auto or explicit with coupling oneWay: the fluid takes no load");
     }
     if (s.passive) note = "the capsules move with the fluid";
     if (motion == AUTO && !s.passive)

@@ -148,9 +148,8 @@ void Foam::rigidGroup::setNearField(const dictionary& dict,
     }
     const groupEntries::nearField entry(
         groupEntries(name(), dict, scene_)
-            .readNearField("", densityRatio_ < 1 || walls
-                                   ? -1
-                                   : errorOfCells(false)));
+            .readNearField(
+                "", densityRatio_ < 1 || walls ? -1 : errorOfCells(false)));
     const bool on = entry.whyNot.empty();
     if (on)
     {

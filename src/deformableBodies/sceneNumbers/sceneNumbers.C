@@ -90,8 +90,7 @@ scalar gapOfSides(const uniformGrid& grid)
 //  velocities; 0: there is no such force [m/s]
 scalar drivenMean(const fvMesh& mesh, const scalar width)
 {
-    const auto* transport =
-        mesh.findObject<dictionary>("transportProperties");
+    const auto* transport = mesh.findObject<dictionary>("transportProperties");
     scalar force = 0;
     for (const dictionary& coeffs :
          optionsOfType(mesh, "vectorSemiImplicitSource"))
@@ -102,8 +101,7 @@ scalar drivenMean(const fvMesh& mesh, const scalar width)
         if (coeffs.getOrDefault<word>("volumeMode", "") != "specific" ||
             !rate || !rate->isStream())
             continue;
-        force = max(force,
-                    mag(Tuple2<vector, scalar>(rate->stream()).first()));
+        force = max(force, mag(Tuple2<vector, scalar>(rate->stream()).first()));
     }
     if (!transport || !transport->found("nu") || force == 0) return 0;
     const scalar nu = readPositive(*transport, "nu", dimViscosity);

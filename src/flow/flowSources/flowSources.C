@@ -265,8 +265,8 @@ void Foam::flowSources::report()
     const scalar mean = flow_.mean().meanGradient();
     flow_.mean().forget();
     Info << "Pressure gradient source: uncorrected Ubar = "
-         << flow_.mean().meanBefore()
-         << ", pressure gradient = " << mean << endl;
+         << flow_.mean().meanBefore() << ", pressure gradient = " << mean
+         << endl;
     if (Pstream::master())
     {
         if (!file_.valid())

@@ -164,9 +164,8 @@ void Foam::staggeredFlow::setLimits(stepLimits& limits, const bool mayChoose,
     { return diffusion_.maxDeltaT(nu_.max(), scheme_); };
     if (mayChoose)
     {
-        const scalar others =
-            min(min(limits.smallestOther(), byDiffusion()),
-                mostCo / max(CourantNo(1), SMALL));
+        const scalar others = min(min(limits.smallestOther(), byDiffusion()),
+                                  mostCo / max(CourantNo(1), SMALL));
         chooseTimeScheme(limits.adjusted() ? others : deltaT,
                          limits.adjusted());
     }
@@ -175,14 +174,14 @@ void Foam::staggeredFlow::setLimits(stepLimits& limits, const bool mayChoose,
     const scalar stable = min(stableCourantNo(), mostCo);
     if (!(stable < GREAT)) return;
     const bool byScheme = stable < mostCo;
-    limits.guard().expect(
-        stable,
-        byScheme ? "the stability of timeScheme " + timeScheme()
-                 : string("bodies, which pass a cell in a step"),
-        true,
-        byScheme && !scheme_.RK3()
-            ? "timeScheme RK3; in PIMPLE of system/fvSolution"
-            : "");
+    limits.guard().expect(stable,
+                          byScheme
+                              ? "the stability of timeScheme " + timeScheme()
+                              : string("bodies, which pass a cell in a step"),
+                          true,
+                          byScheme && !scheme_.RK3()
+                              ? "timeScheme RK3; in PIMPLE of system/fvSolution"
+                              : "");
 }
 
 Foam::scalar Foam::staggeredFlow::divergence()

@@ -73,8 +73,7 @@ Foam::scalar Foam::lastStep::readSubStep(const Time& time)
 Foam::scalar Foam::lastStep::subStep(const Time& time)
 {
     const auto* step = time.findObject<lastStep>("lastStep");
-    const label parts =
-        step && !time.subCycling() ? step->division_.parts : 1;
+    const label parts = step && !time.subCycling() ? step->division_.parts : 1;
     return time.deltaTValue() / parts;
 }
 

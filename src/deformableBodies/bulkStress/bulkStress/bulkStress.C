@@ -90,8 +90,8 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
 {
     checkEntries(dict);
     const auto saved = stateOfTime(system.mesh, "bulkStress");
-    if (saved && (system.startsAfresh() ||
-                  saved->get<wordList>("columns") != columns()))
+    if (saved &&
+        (system.startsAfresh() || saved->get<wordList>("columns") != columns()))
     {
         Info << "Bulk stress: means start afresh, as the bodies or their "
              << "effects are not those of the state" << nl;

@@ -15,10 +15,17 @@ Foam::fileName folderOf(const Foam::fvMesh& mesh)
 
 Foam::wordList Foam::bulkStress::fluidColumns()
 {
-    return {"relativeViscosity", "N1",       "N2",
-            "particleStress",    "reynoldsStress", "wallStress",
-            "unsteady",          "residual", "wallLower",
-            "wallUpper",         "contactPressure"};
+    return {"relativeViscosity",
+            "N1",
+            "N2",
+            "particleStress",
+            "reynoldsStress",
+            "wallStress",
+            "unsteady",
+            "residual",
+            "wallLower",
+            "wallUpper",
+            "contactPressure"};
 }
 
 // Parts are between the stresses and what checks them

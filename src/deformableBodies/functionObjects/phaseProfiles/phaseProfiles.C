@@ -121,8 +121,7 @@ void Foam::functionObjects::phaseProfiles::writeState(Ostream& os) const
     {
         os << group.name() << ' ';
     }
-    os << ");" << nl
-       << "weight " << weight_ << ';' << nl;
+    os << ");" << nl << "weight " << weight_ << ';' << nl;
     DynamicList<scalar> all;
     for (const UList<scalar>& numbers : sums())
     {
