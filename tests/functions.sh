@@ -224,8 +224,8 @@ googleTests()
 # judgeTrends <module> <table>: each claim of its function trends, by the pairs of rows that there are
 judgeTrends()
 {
-    local claim value claims
-    check "$1: trends are judged" eval 'claims=$(tool "$1.trends" "$2")'
+    local module=$1 table=$2 claim value claims
+    check "$module: trends are judged" eval 'claims=$(tool "$module.trends" "$table")'
     while IFS='|' read -r claim value
     do
         [ -z "$claim" ] || below "$claim" "$value" 0
