@@ -13,8 +13,8 @@ using namespace Foam;
 //- Half the flux through the faces of each cell, per volume: |u|/h [1/s]
 scalarField rates(const surfaceScalarField& phi)
 {
-    return 0.5 * fvc::surfaceSum(mag(phi))().primitiveField() /
-           phi.mesh().V().field();
+    return scalarField(0.5 * fvc::surfaceSum(mag(phi))().primitiveField() /
+                       phi.mesh().V().field());
 }
 
 //- Centre of the cell whose velocity is not finite, or else fastest (collective)

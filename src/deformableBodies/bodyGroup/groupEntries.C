@@ -103,8 +103,9 @@ Foam::bodyStart Foam::groupEntries::random(const solidForm& form,
 {
     const placement placed(dict_, group_, form, volume, scene_.grid,
                            scene_.placed);
-    bodyStart start{placed.centres() + fromCentre * placed.directions(),
-                    placed.directions(), true};
+    bodyStart start{
+        pointField(placed.centres() + fromCentre * placed.directions()),
+        placed.directions(), true};
     for (point& x : start.positions)
     {
         x = intoBox(scene_.grid, x);

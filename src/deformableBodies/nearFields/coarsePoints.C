@@ -102,7 +102,7 @@ std::vector<Foam::vector> Foam::coarsePoints::forces(const vector* F) const
         sum[2].setZero();
         for (label k = 0; k < padded_; k += nLanes)
         {
-            const lanes p(lanesOf(&P_[c * padded_ + k]));
+            const lanes p = lanesOf(&P_[c * padded_ + k]);
             for (direction d = 0; d < 3; ++d)
             {
                 sum[d] += p * lanesOf(&f[d * padded_ + k]);
@@ -122,7 +122,7 @@ void Foam::coarsePoints::add(const std::vector<vector>& coarse, vector* u) const
                            float(coarse[c].z())};
         for (label k = 0; k < padded_; k += nLanes)
         {
-            const lanes p(lanesOf(&P_[c * padded_ + k]));
+            const lanes p = lanesOf(&P_[c * padded_ + k]);
             for (direction d = 0; d < 3; ++d)
             {
                 lanesAt(&sum[d * padded_ + k]) += v[d] * p;

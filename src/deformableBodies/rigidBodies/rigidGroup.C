@@ -26,9 +26,15 @@ Foam::bodyPoints Foam::rigidGroup::pointsOf(const label number,
                                             const tensor& R, const vector& V,
                                             const vector& W) const
 {
-    bodyPoints p{
-        name(),        number, R & surface_, vectorField(),  R & areas_,
-        scalarField(), 0,      GREAT,        shape_.volume()};
+    bodyPoints p{name(),
+                 number,
+                 vectorField(R & surface_),
+                 vectorField(),
+                 vectorField(R & areas_),
+                 scalarField(),
+                 0,
+                 GREAT,
+                 shape_.volume()};
     p.velocities = V + (W ^ p.positions);
     p.positions += centre;
     p.densityRatio = densityRatio_;

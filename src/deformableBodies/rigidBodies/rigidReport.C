@@ -153,7 +153,7 @@ Foam::vectorField Foam::rigidReport::tractions(const label i,
         }
         t += weights / sum(weights) * x.forces[k];
     }
-    return t / areas;
+    return vectorField(t / areas);
 }
 
 // Rings around the axis, and one polygon over each pole

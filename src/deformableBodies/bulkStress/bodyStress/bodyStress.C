@@ -3,6 +3,7 @@
 #include "bodyStress.H"
 #include "lastStep.H"
 #include "Time.H"
+#include "sumOverRanks.H"
 
 namespace
 {
@@ -148,6 +149,6 @@ Foam::tensorField Foam::bodyStress::parts() const
     }
     all.append(-perVolume * net);
     tensorField sums(std::move(all));
-    reduce(sums, sumOp<tensorField>());
+    sumOverRanks(sums);
     return sums;
 }

@@ -3,6 +3,7 @@
 #include "bulkStatistics.H"
 #include "dictionaryChecks.H"
 #include "volFields.H"
+#include "sumOverRanks.H"
 
 Foam::bulkStatistics::bulkStatistics(const bodySystem& system)
     : system_(system),
@@ -31,7 +32,7 @@ Foam::scalarField Foam::bulkStatistics::forces(const direction f,
     faces.box().cells([&](const label i, const labelVector& cell)
                       { sums[cell[g]] += faces[f][i]; });
     sums *= system_.grid.cellVolume();
-    reduce(sums, sumOp<scalarField>());
+    sumOverRanks(sums);
     return sums;
 }
 

@@ -2,6 +2,7 @@
 
 #include "layerMeans.H"
 #include "volFields.H"
+#include "sumOverRanks.H"
 
 namespace
 {
@@ -105,9 +106,9 @@ Foam::layerMeans::layerMeans(const uniformGrid& grid, const direction f,
 
 void Foam::layerMeans::finish(const scalar n)
 {
-    reduce(u, sumOp<vectorField>());
-    reduce(squares, sumOp<vectorField>());
-    reduce(product, sumOp<scalarField>());
+    sumOverRanks(u);
+    sumOverRanks(squares);
+    sumOverRanks(product);
     u /= n;
     squares /= n;
     product /= n;

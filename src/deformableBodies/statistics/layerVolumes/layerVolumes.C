@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "layerVolumes.H"
+#include "sumOverRanks.H"
 #include <cmath>
 
 namespace
@@ -79,6 +80,6 @@ void Foam::layerVolumes(const bodyGroup& group, const uniformGrid& grid,
         else
             addLine(p, all, g, volume, momentum);
     }
-    reduce(volume, sumOp<scalarField>());
-    reduce(momentum, sumOp<vectorField>());
+    sumOverRanks(volume);
+    sumOverRanks(momentum);
 }

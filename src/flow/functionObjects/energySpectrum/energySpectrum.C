@@ -8,6 +8,7 @@
 #include "IOdictionary.H"
 #include "lowModeForcing.H"
 #include "resultFile.H"
+#include "sumOverRanks.H"
 
 namespace Foam
 {
@@ -174,10 +175,10 @@ void Foam::functionObjects::energySpectrum::sumShells()
             }
         }
     }
-    reduce(energy_, sumOp<scalarField>());
+    sumOverRanks(energy_);
     for (direction d = 0; d < 3; ++d)
     {
-        reduce(along_[d], sumOp<vectorField>());
+        sumOverRanks(along_[d]);
     }
     gradient2_ = returnReduce(gradient2, sumOp<scalar>());
     // Energy of the mean flow is left out
