@@ -1,8 +1,8 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "bodySystem.H"
-#include "lastStep.H"
 #include "fvOptions.H"
+#include "lastStep.H"
 
 Foam::bodySystem::bodySystem(const fvMesh& mesh, const bool solverBalances)
     : mesh(mesh),

@@ -2,8 +2,8 @@
 
 #include "bodyStress.H"
 #include "lastStep.H"
-#include "Time.H"
 #include "sumOverRanks.H"
+#include "Time.H"
 
 namespace
 {

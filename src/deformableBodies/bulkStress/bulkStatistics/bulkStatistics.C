@@ -2,8 +2,8 @@
 
 #include "bulkStatistics.H"
 #include "dictionaryChecks.H"
-#include "volFields.H"
 #include "sumOverRanks.H"
+#include "volFields.H"
 
 Foam::bulkStatistics::bulkStatistics(const bodySystem& system)
     : system_(system),

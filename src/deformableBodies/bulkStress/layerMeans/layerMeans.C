@@ -1,8 +1,8 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "layerMeans.H"
-#include "volFields.H"
 #include "sumOverRanks.H"
+#include "volFields.H"
 
 namespace
 {

@@ -1,11 +1,10 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "energySpectrum.H"
-#include "lastStep.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
 #include "fvOptions.H"
-#include "IOdictionary.H"
+#include "lastStep.H"
 #include "lowModeForcing.H"
 #include "resultFile.H"
 #include "sumOverRanks.H"
