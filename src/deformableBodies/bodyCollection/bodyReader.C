@@ -213,11 +213,7 @@ void Foam::bodyReader::readLoads()
 {
     const dictionary& loads =
         readDictIfPresent(dict_, "loads", "pull { type deadLoad; group ...; }");
-    wordList names;
-    for (const bodyGroup& group : system_.groups)
-    {
-        names.append(group.name());
-    }
+    const wordList names(system_.groupNames());
     for (const word& name : loads.toc())
     {
         const dictionary& load =

@@ -48,11 +48,7 @@ void Foam::bodyState::checkGroups(const IOdictionary& dict,
         }
         removed_.append(name);
     }
-    wordList names;
-    for (const bodyGroup& group : system_.groups)
-    {
-        names.append(group.name());
-    }
+    const wordList names(system_.groupNames());
     for (const word& name : saved.toc())
     {
         if (!isGroup(name, saved) || names.found(name) || removed.found(name))

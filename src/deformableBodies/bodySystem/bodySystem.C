@@ -95,6 +95,16 @@ Foam::bodySystem::loads(const labelUList& which) const
     return all;
 }
 
+Foam::wordList Foam::bodySystem::groupNames() const
+{
+    wordList names(groups.size());
+    forAll(groups, g)
+    {
+        names[g] = groups[g].name();
+    }
+    return names;
+}
+
 void Foam::bodySystem::spreadLoads(const labelUList& which,
                                    staggeredField& faces) const
 {

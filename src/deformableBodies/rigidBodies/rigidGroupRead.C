@@ -141,11 +141,7 @@ void Foam::rigidGroup::setNearField(const dictionary& dict,
                                     const scalar spacing)
 {
     // The error near walls is larger
-    bool walls = false;
-    for (direction d = 0; d < 3; ++d)
-    {
-        walls = walls || !scene_.grid.periodic(d);
-    }
+    const bool walls = !scene_.grid.periodic();
     const groupEntries::nearField entry(
         groupEntries(name(), dict, scene_)
             .readNearField(

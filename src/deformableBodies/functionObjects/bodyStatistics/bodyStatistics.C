@@ -25,11 +25,7 @@ Foam::functionObjects::bodyStatistics::bodyStatistics(const word& name,
         dict, {"groups", "bins", "reach", "around", "alone", "plane"});
     requireBodies(dict);
     const groupStatistics::settings settings(readSettings(dict));
-    wordList all;
-    for (const bodyGroup& group : bodies_.system().groups)
-    {
-        all.append(group.name());
-    }
+    const wordList all(bodies_.system().groupNames());
     const wordList wanted(dict.getOrDefault<wordList>("groups", all));
     for (const word& group : wanted)
     {

@@ -116,12 +116,8 @@ Foam::functionObjects::phaseProfiles::sums() const
 void Foam::functionObjects::phaseProfiles::writeState(Ostream& os) const
 {
     os << "directions (" << label(f_) << ' ' << label(g_) << ");" << nl
-       << "groups (";
-    for (const bodyGroup& group : bodies_.system().groups)
-    {
-        os << group.name() << ' ';
-    }
-    os << ");" << nl << "weight " << weight_ << ';' << nl;
+       << "groups " << bodies_.system().groupNames() << ';' << nl << "weight "
+       << weight_ << ';' << nl;
     DynamicList<scalar> all;
     for (const UList<scalar>& numbers : sums())
     {
@@ -141,11 +137,7 @@ void Foam::functionObjects::phaseProfiles::readState()
              << "are not those of the state" << nl;
         return;
     }
-    wordList groups;
-    for (const bodyGroup& group : bodies_.system().groups)
-    {
-        groups.append(group.name());
-    }
+    const wordList groups(bodies_.system().groupNames());
     if (saved->getOrDefault<wordList>("groups", groups) != groups)
     {
         Info << "functionObject " << name() << " starts afresh: its groups are "
