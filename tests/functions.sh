@@ -228,7 +228,13 @@ judgeTrends()
     check "$module: trends are judged" eval 'claims=$(tool "$module.trends" "$table")'
     while IFS='|' read -r claim value
     do
-        [ -z "$claim" ] || below "$claim" "$value" 0
+        if [ "$value" = none ]
+        then
+            echo "    no rows yet: $claim"
+        elif [ -n "$claim" ]
+        then
+            below "$claim" "$value" 0
+        fi
     done <<< "$claims"
 }
 

@@ -16,7 +16,7 @@ def field(file):
         data = f.read()
     sizes = {b"scalar": 1, b"vector": 3, b"symmTensor": 6, b"tensor": 9}
     binary = re.search(rb"format\s+(\w+);", data)[1] == b"binary"
-    head = re.compile(rb"nonuniform\s+List<(\w+)>\s*(\d+)\s*\(").search(data, data.index(b"internalField"))
+    head = re.search(rb"internalField\s+nonuniform\s+List<(\w+)>\s*(\d+)\s*\(", data)
     if not head:
         raise ValueError("%s is uniform" % file)
     n, size = int(head[2]), sizes[head[1]]

@@ -6,25 +6,28 @@ from deformablebodies import Case, Table
 
 
 def difference(a, b, kind="bodies"):
-    """Largest difference of two files over the rows of equal time and body, relative to
-    the largest value of the column, or to 1 where that is larger. kind table: rows of
-    equal time, all columns relative to their own values. Not a number where the last
-    times differ: a run that broke off is no agreement."""
-    a, b = Table(a).rows, Table(b).rows
-    keys, floor = (1, 0) if kind == "table" else (2, 1)
-    key = lambda row: (round(row[0], 9), *row[1:keys])
-    rows = {key(row): row for row in b}
-    common = [(row, rows[key(row)]) for row in a if key(row) in rows]
-    if not common or a[-1][0] != b[-1][0]:
+    """Largest difference of two files over their rows of a time and a body, relative to
+    the largest value of the column, or to 1 where that is larger. kind table: rows of a
+    time, all columns relative to their own values. Rows before the first time of either
+    file are left out: of a restart. Not a number where a row of the others is in one
+    file only: a run that broke off or a body that was lost is no agreement."""
+    tables = [Table(file).rows for file in (a, b)]
+    if not all(map(len, tables)):
         return np.nan
-    x, y = (np.array(v)[:, keys:] for v in zip(*common))
+    keys, floor = (1, 0) if kind == "table" else (2, 1)
+    first = max(rows[0, 0] for rows in tables) - 1e-9
+    a, b = ({(round(row[0], 9), *row[1:keys]): row[keys:] for row in rows if row[0] >= first} for rows in tables)
+    if a.keys() != b.keys():
+        return np.nan
+    x, y = np.array(list(a.values())), np.array([b[key] for key in a])
     return "%.2e" % (np.abs(x - y) / np.maximum(np.abs(x).max(0), floor)).max()
 
 
 def largestDifference(a, b):
     """Largest difference of two tables over the rows whose first words are equal, to nine
     digits where these are numbers, relative to the largest number of a column or to a
-    thousandth of that of the file. Not a number where the last rows differ."""
+    thousandth of that of the file. The second may begin later: of a restart. Not a number
+    where a row after that is in one of them only."""
 
     def read(file):
         rows = {}
@@ -40,10 +43,9 @@ def largestDifference(a, b):
         return rows
 
     a, b = read(a), read(b)
-    if list(a)[-1] != list(b)[-1]:
+    if not b or list(a)[-len(b):] != list(b):
         return np.nan
-    common = [key for key in a if key in b]
-    x, y = (np.array([rows[key] for key in common]) for rows in (a, b))
+    x, y = (np.array([rows[key] for key in b]) for rows in (a, b))
     scale = np.maximum(np.abs(x).max(0), 1e-3 * np.abs(x).max())
     return "%.2e" % (np.abs(x - y) / scale).max()
 

@@ -25,8 +25,8 @@ def segments(p, q, r, s):
     return np.where(within, np.minimum(least, cross), least)
 
 
-def closestLines(lines, period):
-    """Least distance of any two lines in a box with this period in x and z. Pairs whose
+def closestLines(lines, periods):
+    """Least distance of any two lines in a box with these periods. Pairs whose
     bounds are further apart than 1 are left out, and segments whose middles show that they
     are further apart than others."""
     middle = np.array([(l.min(0) + l.max(0)) / 2 for l in lines])
@@ -35,7 +35,7 @@ def closestLines(lines, period):
     size = [np.linalg.norm(np.diff(l, axis=0), axis=1) / 2 for l in lines]
     for i, a in enumerate(lines):
         shift = middle[i] - middle[:i]
-        shift[:, [0, 2]] -= period * np.round(shift[:, [0, 2]] / period)
+        shift -= periods * np.round(shift / periods)
         for j in np.flatnonzero((abs(shift) < half[i] + half[:i] + 1).all(1)):
             b = lines[j] + (middle[i] - middle[j] - shift[j])
             apart = np.linalg.norm((a[:-1] + a[1:])[:, None] - b[:-1] - b[1:], axis=-1) / 2
@@ -45,11 +45,14 @@ def closestLines(lines, period):
     return worst
 
 
-def closest(period: float, *pictures):
+def closest(period, *pictures):
     """Least distance of two lines in any of the pictures; several files that are one
-    picture are joined by commas."""
+    picture are joined by commas. The box has this period in x and z, or one in x, one
+    in y and one in z, joined by commas."""
     import vtp
-    least = [closestLines(sum(map(vtp.lines, picture.split(",")), []), period) for picture in pictures]
+    periods = [float(p) for p in str(period).split(",")]
+    periods = np.array(periods if len(periods) == 3 else (periods[0], 1e300, periods[0]))
+    least = [closestLines(sum(map(vtp.lines, picture.split(",")), []), periods) for picture in pictures]
     return "%.5g" % min(least, default=np.nan)
 
 

@@ -114,8 +114,23 @@ def neighbours(rows, along, **of):
         yield from zip(group, group[1:])
 
 
+def boxesAndMeshes(table):
+    """Prints what another box or mesh changes: each row whose name says so beside that of its name alone."""
+    rows = {r["point"]: {k: float(v) for k, v in r.items() if k != "point" and v} for r in records(table)}
+    for name, other in rows.items():
+        found = re.search(r"\.(wide|narrow|fine)\b", name)
+        own = rows.get(name.replace(found[0], "")) if found else None
+        if own:
+            change = lambda k, error: "%s %.5g for %.5g (%+.1f errors)" % (k, other[k], own[k], (
+                other[k] - own[k]) / np.hypot(other[error], own[error]))
+            print("    %s: %s" % (name, ", ".join(change(k, error) for k, error in (
+                ("viscosity", "error"), ("N1", "N1error"), ("N2", "N2error"), ("D", "Derror"), ("angle", "angleError"))
+                if error in own and error in other)))
+
+
 def trends(table):
-    """Claims of rheology.md, each with what is missing at the worst pair of rows (at most 0: it holds)."""
+    """Claims of rheology.md, each with what is missing at the worst pair of rows (at most 0: it holds), or none
+    where there is no pair."""
     rows = list(points(table))
     capsules, fibres = ([r for r in rows if r["kind"] == kind] for kind in ("capsules", "fibres"))
     known = [r for r in capsules if "Derror" in r]  # errors of D and inclination
@@ -144,5 +159,4 @@ def trends(table):
     missing.append(("D of capsules falls by 5 % and more with nuclei",
                     [b["D"] / a["D"] - 0.95 for a, b in neighbours(capsules, "nucleus")]))
     for text, values in missing:
-        if values:
-            print("%s|%.3g" % (text, np.max(values)))
+        print("%s|%s" % (text, "%.3g" % np.max(values) if values else "none"))

@@ -119,6 +119,19 @@ def runsThatBrokeOffDoNotAgree():
     assert np.isnan(dat.difference(a, b))
 
 
+def bodiesAndTimesThatAreLostAreNoAgreement():
+    rows = ["%g %d 1" % (t, body) for t in (0.1, 0.2, 0.3) for body in (0, 1)]
+    whole = file("a.dat", "\n".join(rows))
+    for lost in (1, 2, 3, 5):
+        part = file("b.dat", "\n".join(rows[:lost] + rows[lost + 1:]))
+        assert np.isnan(dat.difference(whole, part)) and np.isnan(dat.difference(part, whole))
+    near(dat.difference(whole, file("b.dat", "\n".join(rows[2:]))), 0)
+    rows = ["%g 1" % t for t in (0.1, 0.2, 0.3)]
+    whole = file("a.dat", "\n".join(rows))
+    assert np.isnan(dat.largestDifference(whole, file("b.dat", rows[0] + "\n" + rows[2])))
+    near(dat.largestDifference(whole, file("b.dat", "\n".join(rows[1:]))), 0)
+
+
 def fieldsAreTheSameInBothFormats():
     values = np.arange(12.).reshape(4, 3) / 7
     header = "FoamFile { format %s; class volVectorField; }\ninternalField   nonuniform List<vector> \n4\n("
@@ -167,11 +180,13 @@ def segmentsAreAsNearAsAllTheirPoints():
 
 def linesAreNearAcrossPeriodicSides():
     a, b = np.array([(-3.9, 0, 0), (-3.9, 1, 0)]), np.array([(3.8, 0, 0), (3.8, 1, 0)])
-    near(distances.closestLines([a, b], 8), 0.3)
-    near(distances.closestLines([a, b + (0, 1.2, 0)], 8), np.hypot(0.3, 0.2))
+    box = np.array([8, 1e300, 8])
+    near(distances.closestLines([a, b], box), 0.3)
+    near(distances.closestLines([a, b + (0, 1.2, 0)], box), np.hypot(0.3, 0.2))
     picture("up.vtp", a, lines=[(0, 1)])
     picture("down.vtp", b, lines=[(0, 1)])
     near(distances.closest(8, "up.vtp,down.vtp"), 0.3)
+    near(distances.closest("8,3,8", "up.vtp,down.vtp"), 0.3)
     assert distances.closest(8) == "nan"
 
 

@@ -51,6 +51,7 @@ Usage
 #include "stepRetries.H"
 #include "readOnceDictionary.H"
 #include "printEnd.H"
+#include "wallSides.H"
 
 int main(int argc, char* argv[])
 {

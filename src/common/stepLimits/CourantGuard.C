@@ -96,8 +96,9 @@ void Foam::CourantGuard::warn(const scalar Co, const scalar rate)
     WarningInFunction << "Courant number " << Foam::name(Co) << " at time "
                       << time.timeName() << " is above " << Foam::name(stable_)
                       << ", the largest for " << who_.c_str() << nl
-                      << "    Reduce deltaT from " << Foam::name(Co / rate)
-                      << " to less than " << Foam::name(stable_ / rate)
+                      << "    Reduce " << stepEntry(time) << " from "
+                      << Foam::name(Co / rate) << " to less than "
+                      << Foam::name(stable_ / rate)
                       << ", or write adjustTimeStep yes; maxCo "
                       << Foam::name(0.5 * stable_) << "; in system/controlDict"
                       << (remedy_.empty() ? "" : ", or ") << remedy_.c_str()
@@ -144,8 +145,8 @@ void Foam::CourantGuard::stop(const string& reason, const scalar rate,
     OStringStream allowed;
     if (borne < dt)
     {
-        allowed << "allowed: deltaT up to about " << Foam::name(borne)
-                << ", for " << who_.c_str();
+        allowed << "allowed: " << stepEntry(time) << " up to about "
+                << Foam::name(borne) << ", for " << who_.c_str();
     }
     else
     {

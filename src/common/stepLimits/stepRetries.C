@@ -64,6 +64,7 @@ Foam::string Foam::stepRetries::advance(const actions& a)
     const label most = 1 << maxRetries_;
     d.unjudged = max(d.unjudged - 1, label(0));
     a.save();
+    const label before = taken_;
     while (true)
     {
         a.watchUnsteady(d.unjudged == 0 && d.subSteps < most);
@@ -73,10 +74,10 @@ Foam::string Foam::stepRetries::advance(const actions& a)
         {
             return wrong + ", also in " + Foam::name(d.subSteps) + " sub-steps";
         }
+        if (taken_ == before) d.pause = min(2 * d.pause, label(1000));
         ++taken_;
         d.subSteps *= 2;
         d.quiet = 0;
-        d.pause = min(2 * d.pause, label(1000));
         a.restore();
         Info << "Step taken back at time " << time_.timeName() << ": "
              << wrong.c_str() << nl << "    Taken again in " << d.subSteps
@@ -101,7 +102,7 @@ void Foam::stepRetries::goOnUnsteady(const string& sentence)
                           << time_.timeName() << ", also in " << d.subSteps
                           << " sub-steps" << nl
                           << "    The run goes on with whole steps. If bodies "
-                          << "diverge, reduce deltaT" << endl;
+                          << "diverge, reduce " << stepEntry(time_) << endl;
     }
     d.subSteps = 1;
     d.unjudged = 1000;

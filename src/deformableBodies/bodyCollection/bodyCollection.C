@@ -199,6 +199,7 @@ void Foam::bodyCollection::endStep(const std::function<void()>& beforeStop)
     {
         if (system_.solverBalances) statistics_.end();
         output_->sample();
+        boxChecks_->lookAtPairs();
         return;
     }
     beforeStop();
@@ -221,11 +222,11 @@ void Foam::bodyCollection::stop()
         << " at time " << time.timeName() << ": " << sentence.c_str() << nl
         << "    What it looked like has been written to time "
         << time.timeName()
-        << (pressed
-                ? "; allowed: a larger strength of repulsion with a smaller "
-                  "deltaT"
-            : left ? ""
-                   : "; go on from an earlier time with a smaller deltaT")
+        << (pressed ? "; allowed: a larger strength of repulsion, of fibres of "
+                      "collision, with a smaller "
+            : left  ? ""
+                    : "; go on from an earlier time with a smaller ")
+        << (left ? word() : stepEntry(time))
         << (trouble_.outside()
                 ? "; with outside remove; in its group the run goes on "
                   "without it"

@@ -146,7 +146,8 @@ void Foam::bodyState::read(const IOdictionary& dict)
     const bool found =
         (wanted.found(origin::STATE) || wanted.found(origin::EITHER)) &&
         bodyStateFile::read(system_.mesh, saved, file);
-    if (wanted.found(origin::STATE) && !found && time.value() > 0)
+    const bool drawing = functionObject::postProcess && time.value() > 0;
+    if (wanted.found(origin::STATE) && !found && time.value() > 0 && !drawing)
     {
         waitForMaster();
         FatalIOErrorInFunction(dict)
@@ -158,9 +159,12 @@ void Foam::bodyState::read(const IOdictionary& dict)
     boolList initial(wanted.size());
     forAll(initial, g)
     {
-        initial[g] = wanted[g] == origin::DICTIONARY ||
-                     (wanted[g] == origin::EITHER &&
-                      !saved.found(system_.groups[g].name()));
+        // A nucleus starts where its capsule started: with it
+        const label host = system_.groups[g].host();
+        initial[g] = host < 0 ? wanted[g] == origin::DICTIONARY ||
+                                    (wanted[g] == origin::EITHER &&
+                                     !saved.found(system_.groups[g].name()))
+                              : initial[host];
     }
     const bool any = initial.found(false);
     if (found)
@@ -177,6 +181,12 @@ void Foam::bodyState::read(const IOdictionary& dict)
     forAll(system_.groups, g)
     {
         bodyGroup& group = system_.groups[g];
+        if (drawing && !saved.found(group.name()))
+        {
+            Info << "Group " << group.name() << " is not in the state of time "
+                 << time.timeName() << ": no bodies" << nl;
+            continue;
+        }
         const bool continues = found && !initial[g];
         if (found && !continues && group.start().atRandom && any)
         {

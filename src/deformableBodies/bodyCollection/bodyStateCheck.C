@@ -142,16 +142,6 @@ void Foam::bodyState::compareEntries(const label g, const entryHistory& then,
     const bool all = g == system_.groups.size();
     const word name(all ? word::null : system_.groups[g].name());
     string taken, unused;
-    const auto given = [&](const std::string& beginning)
-    {
-        string value;
-        for (const Tuple2<string, string>& e : given_[g])
-        {
-            if (e.first().compare(0, beginning.size(), beginning) == 0)
-                value = e.second();
-        }
-        return value;
-    };
     for (changedEntry& change : changes(then, given_[g]))
     {
         // A body is made with ends and scheme
@@ -159,14 +149,11 @@ void Foam::bodyState::compareEntries(const label g, const entryHistory& then,
         if (!all && change.name == "ends") otherwise = "(free free)";
         if (!all && change.name == "scheme") otherwise = "implicit";
 
-        // A clamp keeps its direction, and a moved end is moved from where it began
-        const bool ofEnds =
-            !all &&
-            ((change.name == "directions" &&
-              given("ends").find("clamped") != std::string::npos) ||
-             (wordList({"positions", "directions", "bow"}).found(change.name) &&
-              !given("baseMotion").empty()));
-        if (ofEnds) otherwise = "none";
+        // A rigid body has its shape, a membrane may be without stress in it
+        if (!all && change.name.compare(0, 6, "shape.") == 0)
+        {
+            otherwise = "none";
+        }
         if (!otherwise.empty())
         {
             if (change.then.empty()) change.then = otherwise;
@@ -181,17 +168,18 @@ void Foam::bodyState::compareEntries(const label g, const entryHistory& then,
                 << "constant/deformableBodies" << exit(FatalIOError);
         }
         const bool ofStart =
-            !all &&
-            (change.name == "positions" || change.name == "directions" ||
-             change.name == "bow" || change.name.compare(0, 6, "shape.") == 0 ||
-             change.name.compare(0, 9, "placement") == 0);
+            !all && (change.name == "positions" ||
+                     change.name == "directions" || change.name == "bow" ||
+                     change.name.compare(0, 9, "placement") == 0);
         string& list = ofStart ? unused : taken;
         list += (list.empty() ? "" : "; ") + change.text();
     }
     if (taken.empty() && unused.empty()) return;
     const string who(all ? "All groups" : "Group " + name);
     Info << who.c_str() << ", other than before:";
-    if (!taken.empty()) Info << ' ' << taken.c_str() << " (taken over)";
+    if (!taken.empty())
+        Info << ' ' << taken.c_str()
+             << " (taken over; means of the state go on)";
     if (!unused.empty())
     {
         Info << (taken.empty() ? " " : "; ") << unused.c_str()

@@ -6,8 +6,6 @@
 #include "processorPolyPatch.H"
 #include "startChecks.H"
 #include "Time.H"
-#include "wallPolyPatch.H"
-#include "wallSides.H"
 
 Foam::boxChecks::boxChecks(const fvMesh& mesh, PtrList<bodyGroup>& groups,
                            markerSet& markers,
@@ -16,54 +14,11 @@ Foam::boxChecks::boxChecks(const fvMesh& mesh, PtrList<bodyGroup>& groups,
     : time_(mesh.time()),
       grid_(uniformGrid::New(mesh)),
       groups_(groups),
+      sides_(boxSides(grid_)),
       close_(time_, grid_, groups, markers, interactions, between),
       wallNamed_(groups.size(), false),
       nearWall_(groups.size(), false)
 {
-    isWall_ = FixedList<bool, 2>(false);
-    // Patches on sides of the box that are not periodic, and walls inside the box
-    string inside;
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (patch.coupled()) continue;
-        bool isInside = false;
-        FixedList<FixedList<bool, 2>, 3> at(FixedList<bool, 2>(false));
-        forAll(patch, i)
-        {
-            const label facei = patch.start() + i;
-            const direction d = grid_.faceDirection(facei);
-            const scalar x =
-                (mesh.faceCentres()[facei][d] - grid_.origin()[d]) /
-                grid_.h()[d];
-            if (x > 0.5 && x < grid_.n()[d] - 0.5)
-                isInside = true;
-            else
-                at[d][x > 0.5] = true;
-        }
-        for (direction d = 0; d < 3; ++d)
-        {
-            for (label s = 0; s < 2; ++s)
-            {
-                if (!returnReduce(at[d][s], orOp<bool>())) continue;
-                string& names = sides_[d][s];
-                names += (names.empty() ? "" : ", ") + patch.name();
-                isWall_[d][s] = isWall_[d][s] || isA<wallPolyPatch>(patch);
-            }
-        }
-        if (returnReduce(isInside, orOp<bool>()))
-        {
-            inside += (inside.empty() ? "" : ", ") + patch.name();
-        }
-    }
-    if (!inside.empty())
-    {
-        WarningInFunction
-            << "walls inside the box (" << inside.c_str()
-            << "): bodies move and "
-            << "act across them as if they were not there; keep bodies away"
-            << endl;
-    }
-
     for (direction d = 0; d < 3; ++d)
     {
         anySides_ = anySides_ || !grid_.periodic(d);
@@ -86,10 +41,10 @@ Foam::string Foam::boxChecks::through(const boundBox& bounds,
         for (label s = 0; s < 2; ++s)
         {
             if (beyond[s] <= cells * grid_.h()[d]) continue; // NaN is outside
-            if (isWall) *isWall = isWall_[d][s];
+            if (isWall) *isWall = sides_[d][s].wall;
             OStringStream os;
             os.precision(6);
-            os << "patch " << sides_[d][s].c_str() << ": it extends to "
+            os << "patch " << sides_[d][s].patches.c_str() << ": it extends to "
                << vector::componentNames[d] << " = "
                << (s ? bounds.max()[d] : bounds.min()[d])
                << ", and the box from " << lo << " to " << hi;
@@ -134,7 +89,6 @@ Foam::boxChecks::fate Foam::boxChecks::look(string& trouble)
         worst = removeOutside(trouble);
         if (anyLines_) warnOfWalls();
     }
-    close_.look();
     return worst;
 }
 

@@ -264,6 +264,7 @@ void Foam::startChecks::check(const dictionary& dict)
             << "entry positions: " << firstOf(errors_.first).c_str()
             << " (such pairs: " << errors_.n << ")" << nl
             << "    allowed: bodies beside each other or one within the other, "
-            << "or coupling oneWay" << exit(FatalIOError);
+            << "or coupling oneWay, which rigid bodies do not have"
+            << exit(FatalIOError);
     }
 }

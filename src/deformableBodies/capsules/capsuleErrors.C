@@ -165,9 +165,11 @@ Foam::expectedError Foam::capsuleReport::harmonicsError() const
             [=](const scalar left)
             {
                 const label more = enoughHarmonics(left);
-                return more > degree && more <= 64
-                           ? "harmonics " + Foam::name(more)
-                           : string();
+                const scalar h = 2.4 * group_.radius_ / more;
+                if (more <= degree || more > 64) return string();
+                return cmptMax(group_.scene_.grid.h()) > h
+                           ? string("cells of " + atMost(h) + " m and smaller")
+                           : string("harmonics " + Foam::name(more));
             }};
 }
 

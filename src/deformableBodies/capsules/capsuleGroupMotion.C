@@ -96,7 +96,7 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
         markers_->analysis(U, velocity.data());
         if (nearField_) addNearField(i, s, velocity);
         keepVolume(c, referenceVolume_, dt, velocity);
-        const double r = c.lastDeltaT > 0 ? dt / c.lastDeltaT : 0;
+        const double r = c.stepRatio(dt);
         const bool finite = extrapolate(c, velocity, dt, r, next);
         if (finite) motion_->correct(c, next, dt, r, referenceVolume_);
         for (size_t j = 0; j < filter_.size(); ++j)

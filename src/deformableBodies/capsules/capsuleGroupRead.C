@@ -222,6 +222,13 @@ Foam::capsuleGroup::stressFree(const dictionary& dict,
     {
         refuse(dict, "prestress", Foam::name(prestress), "greater than -1");
     }
+    if (dict.found("stressFree") && dict.subDict("stressFree").found("axis"))
+    {
+        refuse(dict.subDict("stressFree"), "axis",
+               valueOf(*dict.subDict("stressFree").findEntry("axis")),
+               "none: the axis is that of shape, as each point of the membrane "
+               "has its place on both");
+    }
     numbers shape(dict.found("stressFree")
                       ? initialShape(readDict(dict, "stressFree",
                                               "type sphere; radius 1e-6;"),

@@ -32,6 +32,12 @@ fileName fileOf(const dictionary& dict)
     return file;
 }
 
+//- Entry scale, 1 if it is not given
+scalar scaleOf(const dictionary& dict)
+{
+    return dict.found("scale") ? readPositive(dict, "scale", dimless) : 1;
+}
+
 //- Format of a surface from the extension of its file, in any letter case
 word formatOf(const dictionary& dict)
 {
@@ -99,8 +105,7 @@ class starSurface
 public:
     explicit starSurface(const dictionary& dict)
         : dict_(dict),
-          surface_(fileOf(dict), formatOf(dict),
-                   dict.getOrDefault<scalar>("scale", 1)),
+          surface_(fileOf(dict), formatOf(dict), scaleOf(dict)),
           search_(surface_)
     {
         for (const labelList& faces : surface_.edgeFaces())
@@ -161,7 +166,7 @@ std::vector<double> savedShape(const dictionary& dict,
                                const sphericalHarmonics& grid,
                                const tensor& turn)
 {
-    const scalar scale = dict.getOrDefault<scalar>("scale", 1);
+    const scalar scale = scaleOf(dict);
     const fileName file(fileOf(dict));
     const auto refuseState = [&](const string& why)
     { refuse(dict, "file", file, "a state of bodies with " + why); };

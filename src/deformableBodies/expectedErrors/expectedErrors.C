@@ -173,10 +173,13 @@ void Foam::judgeErrors(const List<expectedErrors>& errors, const scalar wanted,
             else if (remedies.empty())
                 remedies = "; no single change is sufficient";
             Info << endl;
+            const string enough(
+                sum <= 0.2
+                    ? Foam::name(1e-4 * std::ceil(1e4 * sum)) + " and more"
+                    : string("none, as the error is above 0.2,"));
             refuse(dict, "accuracy", Foam::name(wanted),
-                   Foam::name(1e-4 * std::ceil(1e4 * sum)) +
-                       " and more for group " + group.group + " (" + list +
-                       ")" + remedies);
+                   enough + " for group " + group.group + " (" + list + ")" +
+                       remedies);
         }
         IOWarningInFunction(dict) << "entry accuracy has the value " << wanted
                                   << ", but the error of group " << group.group

@@ -107,6 +107,10 @@ Foam::bodyPoints Foam::filamentGroup::pointsOf(const label number,
     {
         p.lengths[i] = properties_.lengthOf(i);
     }
+    for (const label end : {0, 1})
+    {
+        p.held[end] = properties_.ends[end] != filament::FREE;
+    }
     p.densityRatio =
         properties_.mass / (crossSection_ * scene_.rho) + (twoWay() ? 1 : 0);
     return p;
@@ -133,6 +137,11 @@ Foam::scalarList Foam::filamentGroup::state(const label i) const
     filament::save(x.U, s);
     filament::save(x.forces, s);
     s.append(x.power);
+    if (held_)
+    {
+        filament::save(vectorField({x.line.clamp(0), x.line.clamp(1), x.start}),
+                       s);
+    }
     return scalarList(std::move(s));
 }
 
@@ -141,7 +150,7 @@ Foam::point Foam::filamentGroup::centreOf(const scalarList& state,
                                           const dictionary& source) const
 {
     const label N = properties_.segments;
-    const label all = filament::stateSize(N) + 3 +
+    const label all = filament::stateSize(N) + 3 + (held_ ? 9 : 0) +
                       3 * (points_.size() + (twoWay() ? markersEach() : 0));
     if (state.size() != all)
     {
@@ -183,7 +192,13 @@ void Foam::filamentGroup::restore(body& x, const label number,
     x.dt = *at++;
     at = filament::restore(at, x.U);
     at = filament::restore(at, x.forces);
-    x.power = *at;
+    x.power = *at++;
+    if (!held_) return;
+    vectorField held(3);
+    filament::restore(at, held);
+    x.line.clamp(0, held[0]);
+    x.line.clamp(1, held[1]);
+    x.start = held[2];
 }
 
 void Foam::filamentGroup::judgeSize(const dictionary& dict) const

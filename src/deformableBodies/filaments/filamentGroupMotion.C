@@ -253,8 +253,19 @@ Foam::string Foam::filamentGroup::move(const vector* U,
                     "segments no shorter than a cell)";
                 continue;
             }
-            bodies_[i + l].dt = s.dt;
-            if (twoWay()) force(bodies_[i + l], around[l]);
+            body& x = bodies_[i + l];
+            x.dt = s.dt;
+            if (twoWay())
+            {
+                force(x, around[l]);
+                continue;
+            }
+            x.slip = 0;
+            forAll(points_, k)
+            {
+                x.slip = max(x.slip, mag(points_[k](x.line.meanVelocities()) -
+                                         around[l].U[k]));
+            }
         }
     }
     return trouble;

@@ -135,6 +135,7 @@ void Foam::filamentGroup::readMass(const dictionary& dict)
     }
     properties_.mass =
         (ratio - (twoWay() ? 1 : 0)) * crossSection_ * scene_.rho;
+    swings_ = alone() && entries.gravity();
     entries.addWeight(entries.gravity(), ratio - (alone() ? 0 : 1));
     properties_.scheme =
         readEnum(schemeNames, dict, "scheme", filament::IMPLICIT);
@@ -232,8 +233,11 @@ void Foam::filamentGroup::readCoupling(const dictionary& dict)
     const bool limp = properties_.rigidity == 0 && properties_.mass == 0;
     if (twoWay() && limp)
     {
-        // Nothing but drag holds its nodes: one point for each
-        makePoints(properties_.segments + 1,
+        // Nothing but drag holds its nodes: one point for each, and as many between
+        // them as keep the points 1.5 cells apart
+        const label each =
+            max(label(1), label(std::ceil(properties_.ds() / (1.5 * h_))));
+        makePoints(each * properties_.segments + 1,
                    min(inset, 0.5 * properties_.ds()));
     }
     else if (twoWay())
@@ -273,6 +277,14 @@ void Foam::filamentGroup::makeCouple(const dictionary& dict, const scalar inset)
                                                 scene_.mu, h_)
                           : new thicknessCouple(N, ds, inset,
                                                 drag_ * sqr(L / re) / 12, h_));
+        boundBox walls(-0.5 * GREAT * vector::one, 0.5 * GREAT * vector::one);
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (scene_.grid.periodic(d)) continue;
+            walls.min()[d] = scene_.grid.origin()[d];
+            walls.max()[d] = walls.min()[d] + scene_.grid.length()[d];
+        }
+        couple_->setWalls(walls);
     }
     scene_.effects.declare("thicknessCouple", on,
                            Foam::name(L / thickness_) + " diameters of " +

@@ -83,7 +83,7 @@ Foam::expectedErrors Foam::filamentReport::errors() const
                                     group_.scene_.duration,
                                     group_.nBodies() > 1 ? flow.rate : 0));
     }
-    else if (group_.alone() && mag(group_.scene_.g) > 0)
+    else if (group_.swings_)
     {
         e.parts.push_back(ofSwing(std::sqrt(mag(group_.scene_.g) /
                                             group_.properties_.length)));

@@ -56,7 +56,18 @@ Foam::thicknessCouple::frameAt(const vectorField& X, const label station) const
 
     // Any direction across t is possible, as three points measure a linear field exactly.
     // When the choice changes, the forces of the last step have other directions for one step
+    const point x(0.5 * (X[first(station)] + X[first(station + 1)]));
     vector a(mag(f.t.x()) < 0.7 ? vector(1, 0, 0) : vector(0, 1, 0));
+    scalar least = 0.1 * GREAT;
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar lower = x[d] - walls_.min()[d],
+                     upper = walls_.max()[d] - x[d];
+        if (mag(f.t[d]) > 0.75 || min(lower, upper) >= least) continue;
+        least = min(lower, upper);
+        a = Zero;
+        a[d] = lower < upper ? 1 : -1;
+    }
     a -= (a & f.t) * f.t;
     a /= mag(a);
     const vector b(f.t ^ a);

@@ -66,6 +66,19 @@ Foam::fv::deformableBodiesSource::deformableBodiesSource(const word& name,
     }
 }
 
+bool Foam::fv::deformableBodiesSource::read(const dictionary& dict)
+{
+    const bool done = option::read(dict);
+    if (!active_)
+    {
+        IOWarningInFunction(dict)
+            << "entry active is false: no effect during a run, the bodies "
+            << "continue" << endl;
+        active_ = true;
+    }
+    return done;
+}
+
 void Foam::fv::deformableBodiesSource::addSup(fvMatrix<vector>& eqn,
                                               const label)
 {

@@ -16,10 +16,12 @@ Foam::label Foam::rigidGroup::nMarkers() const
     return bodies_.size() * markers_.size();
 }
 
-// Light bodies: seen to diverge from nu dt/h^2 = 7 to 10 on
+// Light bodies: seen to diverge from nu dt/h^2 = 7 to 10 on, with the largest viscosity there
+// is, that within or without the capsule around a nucleus
 Foam::scalar Foam::rigidGroup::maxDeltaT() const
 {
-    return densityRatio_ < 1 ? 5 * sqr(h_) * scene_.rho / scene_.mu : GREAT;
+    const scalar mu = scene_.mu * max(scalar(1), 1 / scene_.viscosityAround);
+    return densityRatio_ < 1 ? 5 * sqr(h_) * scene_.rho / mu : GREAT;
 }
 
 void Foam::rigidGroup::markers(vector* X, const scalar dt)

@@ -78,12 +78,12 @@ Foam::rigidGroup::rigidGroup(const word& name, const dictionary& dict,
     densityRatio_ = dict.found("densityRatio")
                         ? readPositive(dict, "densityRatio", dimless)
                         : 1;
-    const bool heavy = entries.gravity();
-    if (heavy && !dict.found("densityRatio"))
+    heavy_ = entries.gravity();
+    if (heavy_ && !dict.found("densityRatio"))
     {
         refuse(dict, "gravity", "on", "off, or a densityRatio with it");
     }
-    entries.addWeight(heavy, densityRatio_ - 1);
+    entries.addWeight(heavy_, densityRatio_ - 1);
     readMotion(dict);
 
     const scalar spacing = entries.byAccuracy<scalar>(

@@ -15,8 +15,7 @@ Foam::string Foam::rigidReport::describe() const
        << group_.nBodies() * group_.shape_.volume() /
               cmptProduct(group_.scene_.grid.length());
     const scalar g = mag(group_.scene_.g);
-    if (g > 0 && group_.densityRatio_ != 1 &&
-        group_.scene_.forces.actOn(group_.name()))
+    if (group_.heavy_ && group_.densityRatio_ != 1)
     {
         os << ", Galileo number "
            << std::sqrt(mag(group_.densityRatio_ - 1) * g * pow3(2 * a)) *

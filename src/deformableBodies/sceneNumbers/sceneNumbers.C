@@ -147,20 +147,10 @@ Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh)
             s.speed = max(s.speed, mag(v));
         }
     }
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (grid.periodic(d)) continue;
-        const sideVelocities sides(U, grid, d);
-        vector across(sides.upper - sides.lower);
-        across[d] = 0;
-        const scalar rate = mag(across) / grid.length()[d];
-        if (rate > s.rate)
-        {
-            s.rate = rate;
-            s.from = string("sides ") + vector::componentNames[d] +
-                   " against each other";
-        }
-    }
+    const shearSides sides(shearSides::of(mesh));
+    s.rate = mag(sides.rate);
+    s.from = string("sides ") + vector::componentNames[sides.gradient] +
+             " against each other";
     reduce(s.speed, maxOp<scalar>());
     if (s.rate <= SMALL * s.speed / cmptMin(grid.h())) s.rate = 0;
     if (s.rate > 0) return s;

@@ -56,7 +56,9 @@ Foam::explicitScheme::explicitScheme(const uniformGrid& grid,
         takeRK3();
         return;
     }
-    readTerms(state ? state->getOrDefault<word>("terms", word::null)
+    // Terms beside a state of RK3 are of an older run
+    readTerms(state ? state->getOrDefault<word>("terms",
+                                                before == "RK3" ? "none" : "")
                     : word::null);
     termsFile_.reset(new stateObject<volVectorField>(
         termsName(history_.withDiffusion), "", mesh,
@@ -154,8 +156,9 @@ void Foam::explicitScheme::begin(const scalar deltaT)
 {
     if (!RK3_)
     {
-        const scalar weightLast =
-            history_.known ? -0.5 * deltaT / history_.deltaT : 0;
+        // Euler after a far shorter step, whose terms would count too much
+        const bool useLast = history_.known && deltaT <= 4 * history_.deltaT;
+        const scalar weightLast = useLast ? -0.5 * deltaT / history_.deltaT : 0;
         stages_ = {{1 - weightLast, weightLast, 1}};
         history_.deltaT = deltaT;
         history_.known = true;

@@ -16,6 +16,9 @@ const wordList explicitTypes({"buoyancyForce", "actuationDiskSource",
                               "tabulatedAccelerationSource",
                               "vectorCodedSource", "vectorSemiImplicitSource"});
 
+//- Those of them that read no fields
+const wordList constantTypes({"buoyancyForce", "vectorSemiImplicitSource"});
+
 //- The source of one option; per unit mass and volume of the cell, negative
 fvVectorMatrix matrixOf(fv::option& o, const volVectorField& U)
 {
@@ -167,7 +170,11 @@ Foam::flowSources::flowSources(fv::optionList& options, volVectorField& U,
         if (o.applyToField(U.name()) < 0) continue;
         auto* forcing = dynamic_cast<fv::lowModeForcing*>(&o);
         if (forcing) forcings_.push_back(forcing);
-        if (explicitTypes.found(o.type())) explicit_.push_back(&o);
+        if (explicitTypes.found(o.type()))
+        {
+            explicit_.push_back(&o);
+            readFields_ = readFields_ || !constantTypes.found(o.type());
+        }
         if (o.type() == "meanVelocityForce")
         {
             held_ = &o;
@@ -256,7 +263,11 @@ void Foam::flowSources::restore(const std::vector<scalarList>& states)
 
 void Foam::flowSources::report()
 {
-    if (!held_ || !held_->isActive()) return;
+    if (!held_ || !held_->isActive())
+    {
+        flow_.mean().forget();
+        return;
+    }
 
     // The first step brings the flow to this mean, once
     gradient_ =

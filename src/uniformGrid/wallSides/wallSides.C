@@ -7,42 +7,60 @@
 #include "volFields.H"
 #include "wallPolyPatch.H"
 
-Foam::FixedList<Foam::FixedList<bool, 2>, 3>
-Foam::wallSides(const uniformGrid& grid)
+Foam::FixedList<Foam::FixedList<Foam::boxSide, 2>, 3>
+Foam::boxSides(const uniformGrid& grid)
 {
     const fvMesh& mesh = grid.mesh();
     const volVectorField* U = mesh.foundObject<volVectorField>("U")
                                   ? &mesh.lookupObject<volVectorField>("U")
                                   : nullptr;
-    FixedList<labelVector, 2> walls(labelVector::zero),
-        others(labelVector::zero);
+    FixedList<FixedList<boxSide, 2>, 3> sides;
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         if (patch.coupled()) continue;
-        const bool isWall =
-            isA<wallPolyPatch>(patch) &&
-            (!U || U->boundaryField()[patch.index()].fixesValue());
+        const bool isWall = isA<wallPolyPatch>(patch),
+                   closed =
+                       isWall &&
+                       (!U || U->boundaryField()[patch.index()].fixesValue());
+        FixedList<labelVector, 2> at(labelVector::zero);
         forAll(patch, i)
         {
             const label facei = patch.start() + i;
-            (isWall ? walls : others)[!grid.lowerSide(facei)]
-                                     [grid.faceDirection(facei)] = 1;
+            at[!grid.lowerSide(facei)][grid.faceDirection(facei)] = 1;
         }
-    }
-    FixedList<FixedList<bool, 2>, 3> sides(FixedList<bool, 2>(false));
-    for (label side = 0; side < 2; ++side)
-    {
-        reduce(walls[side], maxOp<labelVector>());
-        reduce(others[side], maxOp<labelVector>());
-        for (direction d = 0; d < 3; ++d)
+        for (label s = 0; s < 2; ++s)
         {
-            sides[d][side] = walls[side][d] && !others[side][d];
+            reduce(at[s], maxOp<labelVector>());
+            for (direction d = 0; d < 3; ++d)
+            {
+                if (!at[s][d]) continue;
+                boxSide& side = sides[d][s];
+                side.closed = closed && (side.closed || side.patches.empty());
+                side.wall = side.wall || isWall;
+                side.patches +=
+                    (side.patches.empty() ? "" : ", ") + patch.name();
+            }
         }
     }
     return sides;
 }
 
-void Foam::requireWalls(const uniformGrid& grid)
+Foam::FixedList<Foam::FixedList<bool, 2>, 3>
+Foam::wallSides(const uniformGrid& grid)
+{
+    const auto sides(boxSides(grid));
+    FixedList<FixedList<bool, 2>, 3> walls;
+    for (direction d = 0; d < 3; ++d)
+    {
+        for (label s = 0; s < 2; ++s)
+        {
+            walls[d][s] = sides[d][s].closed;
+        }
+    }
+    return walls;
+}
+
+void Foam::requireWalls(const uniformGrid& grid, const bool all)
 {
     const auto* U = grid.mesh().findObject<volVectorField>("U");
     if (!U) return;
@@ -55,8 +73,9 @@ void Foam::requireWalls(const uniformGrid& grid)
         const wordList ofWalls({noSlipFvPatchVectorField::typeName,
                                 fixedValueFvPatchVectorField::typeName});
         const scalar through = gMax(mag(Ub & Ub.patch().nf()));
-        if (!ofWalls.found(Ub.type()) || through > 1e-9 * gMax(mag(Ub)))
-            continue;
+        const bool ofWall =
+            ofWalls.found(Ub.type()) || (all && Ub.fixesValue());
+        if (!ofWall || through > 1e-9 * gMax(mag(Ub))) continue;
         waitForMaster();
         FatalErrorInFunction
             << "patch " << patch.name() << " of type " << patch.type()

@@ -90,3 +90,41 @@ TEST(ThicknessCouple, doesNotFeelItself)
                     largest, 0.03);
     }
 }
+
+// Couette flow between walls: the same shear beside each of them, down to 0.8
+// cells for a line along the flow, and in the middle
+TEST(ThicknessCouple, shearBesideWalls)
+{
+    const scalar h = 0.1;
+    box b(labelVector(12, 16, 12), h * vector(12, 16, 12), wallsInY, 1);
+    const uniformGrid& grid = uniformGrid::New(b.mesh());
+    const deltaKernel kernel(deltaKernel::Roma3);
+    staggeredField u(grid.box());
+    u.box().cells([&](const label i, const labelVector& c)
+                  { u[0][i] = (c.y() + 0.5) * h; });
+    blockNeighbours neighbours(grid);
+    markerSet markers(grid, kernel, neighbours);
+    scalar largest = 0;
+    for (const scalar distance : {0.8, 1.0, 1.24, 1.5, 4.0, 8.0})
+    {
+        for (const bool upper : {false, true})
+        {
+            thicknessCouple couple(6, h, 0, kernel, 1, h);
+            couple.setWalls(boundBox(vector(-GREAT, 0, -GREAT),
+                                     vector(GREAT, 16 * h, GREAT)));
+            vectorField X(7);
+            forAll(X, i)
+            {
+                X[i] = h * vector(2.3 + i, upper ? 16 - distance : distance, 5.6);
+            }
+            List<thicknessCouple::frame> frames;
+            vectorField at(couple.nMarkers()), U, g;
+            couple.markers(X, frames, at.data());
+            markers.setPositions(at);
+            markers.interpolate({u}, U);
+            couple.shear(frames, couple.K(), U.cdata(), nullptr, g);
+            largest = max(largest, max(mag(g - vector(0, 1, 0))));
+        }
+    }
+    expectBelow("error of the shear beside walls", largest, 1e-12);
+}

@@ -250,7 +250,8 @@ Foam::List<Foam::dictionary> Foam::optionsOfType(const polyMesh& mesh,
                                             IOobject::NO_WRITE, false));
         for (const entry& e : options)
         {
-            if (e.isDict() && e.dict().getOrDefault<word>("type", "") == type)
+            if (e.isDict() && e.dict().getOrDefault<word>("type", "") == type &&
+                e.dict().getOrDefault<bool>("active", true))
             {
                 all.append(e.dict().optionalSubDict(type + "Coeffs"));
             }

@@ -15,6 +15,13 @@ dictionary dictionaryOf(const Time& time, const word& name)
 }
 } // namespace
 
+Foam::word Foam::stepEntry(const Time& time)
+{
+    const bool adjusted =
+        time.controlDict().getOrDefault<bool>("adjustTimeStep", false);
+    return adjusted ? "maxDeltaT" : "deltaT";
+}
+
 Foam::label Foam::stepIndex(const Time& time)
 {
     return time.subCycling() ? time.prevTimeState().timeIndex()
@@ -90,7 +97,7 @@ void Foam::lastStep::refuseDiverged(const Time& time)
         << " there: " << why.c_str() << nl
         << "    allowed: an earlier time to start from (startTime in "
         << "system/controlDict, or delete the folder "
-        << time.timePath().c_str() << "), with a smaller deltaT"
+        << time.timePath().c_str() << "), with a smaller " << stepEntry(time)
         << exit(FatalError);
 }
 

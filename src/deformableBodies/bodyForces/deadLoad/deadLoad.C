@@ -13,7 +13,7 @@ addToRunTimeSelectionTable(bodyForce, deadLoad, dictionary);
 Foam::deadLoad::deadLoad(const dictionary& dict, const bodyPoints& body)
     : bodyForce(dict.get<word>("group")),
       force_(Function1<vector>::New("force", dict)),
-      at_(dict)
+      at_(dict, body)
 {
     needLine(dict, body);
     checkEntries(dict,

@@ -13,7 +13,7 @@ addToRunTimeSelectionTable(bodyForce, followerLoad, dictionary);
 Foam::followerLoad::followerLoad(const dictionary& dict, const bodyPoints& body)
     : bodyForce(dict.get<word>("group")),
       force_(Function1<scalar>::New("force", dict)),
-      at_(dict)
+      at_(dict, body)
 {
     needLine(dict, body);
     checkEntries(dict,

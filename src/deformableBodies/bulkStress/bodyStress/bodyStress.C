@@ -99,17 +99,12 @@ void Foam::bodyStress::addForces(const label g, tensor& own, tensor& couple,
 Foam::tensor Foam::bodyStress::viscousMoment(const label g) const
 {
     const bodyGroup& group = system_.groups[g];
-    const label n = group.mine().size(), each = n ? group.nMarkers() / n : 0;
-    vectorField dS(group.nMarkers()), X(each), V(each);
-    group.inside()->areas(dS.data());
     tensor moment(Zero);
-    for (label i = 0; i < n; ++i)
+    forAll(group.mine(), i)
     {
-        group.contactPoints(i, X.data(), V.data());
-        for (label k = 0; k < each; ++k)
-        {
-            moment += V[k] * dS[i * each + k];
-        }
+        // Velocities and areas in the middle of the step
+        const bodyPoints p(group.points(i));
+        moment += sum(p.velocities * p.areas);
     }
     return moment + moment.T();
 }

@@ -42,10 +42,12 @@ Foam::bulkStress::New(const dictionary& dict, const bodySystem& system,
                       const flow& flow, const bool implicit)
 {
     std::unique_ptr<bulkStress> none;
-    if (system.empty() || system.withoutFluid) return none;
-    const string why(obstacle(system, shearSides::of(system.mesh)));
-    const bool given = dict.found("bulkStress"),
-               isDict = dict.isDict("bulkStress");
+    const bool given = dict.found("bulkStress");
+    if (system.empty() || (system.withoutFluid && !given)) return none;
+    const string why(system.withoutFluid
+                         ? string("there is no fluid")
+                         : obstacle(system, shearSides::of(system.mesh)));
+    const bool isDict = dict.isDict("bulkStress");
     if (given && !isDict && !Switch(dict.get<word>("bulkStress"), true).valid())
     {
         refuse(dict, "bulkStress", valueOf(*dict.findEntry("bulkStress")),
@@ -89,9 +91,20 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
              })
 {
     checkEntries(dict);
+    const shearSides sides(shearSides::of(system.mesh));
     const auto saved = stateOfTime(system.mesh, "bulkStress");
-    if (saved &&
-        (system.startsAfresh() || saved->get<wordList>("columns") != columns()))
+    const auto otherSides = [&]()
+    {
+        const scalar then = saved->getOrDefault<scalar>("rate", sides.rate);
+        return sides.steady && mag(sides.rate - then) > 1e-6 * mag(then);
+    };
+    if (saved && otherSides())
+    {
+        Info << "Bulk stress: means start afresh, as the sides do not move as "
+             << "in the state" << nl;
+    }
+    else if (saved && (system.startsAfresh() ||
+                       saved->get<wordList>("columns") != columns()))
     {
         Info << "Bulk stress: means start afresh, as the bodies or their "
              << "effects are not those of the state" << nl;
@@ -113,7 +126,6 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
             largestRate_ = 0;
         }
     }
-    const shearSides sides(shearSides::of(system.mesh));
     isShear(sides);
     const scalar H = system.grid.length()[sides.gradient];
     Info << "Bulk stress: the stress of the sides takes "
@@ -204,6 +216,7 @@ void Foam::bulkStress::addLine()
         const shearSides sides(shearSides::of(system_.mesh));
         if (!isShear(sides)) return;
         lastLine_ = step;
+        rate_ = sides.rate;
         after_ = measure(sides);
         const tensorField parts(bodies_.parts());
         const scalarList values(line(sides, parts));
@@ -222,7 +235,11 @@ void Foam::bulkStress::end()
 {
     addLine();
     const Time& time = system_.mesh.time();
-    if (time.writeTime() || isLastStep(time)) writeAverages();
+    if (lastLine_ != lastAverages_ && (time.writeTime() || isLastStep(time)))
+    {
+        lastAverages_ = lastLine_;
+        writeAverages();
+    }
 }
 
 Foam::scalarList Foam::bulkStress::line(const shearSides& sides,

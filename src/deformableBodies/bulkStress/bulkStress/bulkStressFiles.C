@@ -84,8 +84,9 @@ void Foam::bulkStress::writeState(Ostream& os) const
     text.precision(17);
     text << "lastTime " << lastTime_ << token::END_STATEMENT << nl
          << "largestRate " << largestRate_ << token::END_STATEMENT << nl
-         << "directions (" << label(flowDirection_) << ' ' << label(gradient_)
-         << ')' << token::END_STATEMENT << nl;
+         << "rate " << rate_ << token::END_STATEMENT << nl << "directions ("
+         << label(flowDirection_) << ' ' << label(gradient_) << ')'
+         << token::END_STATEMENT << nl;
     writeNumbers(text, "sums", means_.state());
     os.writeEntry("columns", columns());
     os << text.str().c_str();

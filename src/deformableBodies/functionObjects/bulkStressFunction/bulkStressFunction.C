@@ -4,6 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "bodyCollection.H"
 #include "dictionaryChecks.H"
+#include "sampledBodies.H"
 
 namespace Foam
 {
@@ -38,14 +39,7 @@ Foam::functionObjects::bulkStressFunction::bulkStressFunction(
 bool Foam::functionObjects::bulkStressFunction::execute()
 {
     if (postProcess) return true;
-    if (!bodies_.movedTo(time_.value()))
-    {
-        FatalErrorInFunction
-            << "functionObject " << name() << " of type bulkStress: no bodies "
-            << "move in this solver" << nl << "    allowed: cases with an "
-            << "option of type deformableBodies in constant/fvOptions"
-            << exit(FatalError);
-    }
+    sampledBodies::requireMotion(bodies_, *this);
     bodies_.statistics().end();
     return true;
 }

@@ -62,6 +62,18 @@ void Foam::functionObjects::sampledBodies::requireBodies(
            "cases with constant/deformableBodies: there are no bodies");
 }
 
+void Foam::functionObjects::sampledBodies::requireMotion(
+    const bodyCollection& bodies, const fvMeshFunctionObject& function)
+{
+    if (bodies.empty() || bodies.movedTo(function.time().value())) return;
+    FatalErrorInFunction << "functionObject " << function.name()
+                         << ": no bodies move in this "
+                         << "solver" << nl
+                         << "    allowed: cases with an option of type "
+                         << "deformableBodies in constant/fvOptions"
+                         << exit(FatalError);
+}
+
 std::unique_ptr<Foam::dictionary>
 Foam::functionObjects::sampledBodies::savedState() const
 {
@@ -144,6 +156,7 @@ Foam::scalar Foam::functionObjects::sampledBodies::elapsed()
 {
     const scalar dt = time_.value() - last_;
     if (postProcess || dt < 0.5 * time_.deltaTValue()) return 0;
+    requireMotion(bodies_, *this);
     last_ = time_.value();
     return dt;
 }

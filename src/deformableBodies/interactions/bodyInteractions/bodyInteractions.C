@@ -18,7 +18,7 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
       groups_(groups),
       effects_(scene.effects),
       numbers_(groups),
-      walls_(mesh, scene.grid),
+      walls_(scene.grid),
       models_(dict, interactionScene::of(mesh, groups, scene, nearField),
               scene.effects),
       surfaces_(groups.size()),
@@ -164,7 +164,8 @@ Foam::string Foam::bodyInteractions::state() const
 void Foam::bodyInteractions::readState(const dictionary& saved,
                                        const boolList& initial)
 {
-    if (!initial.found(true))
+    continues_ = !initial.found(true);
+    if (continues_)
     {
         pressedBefore_ = saved.getOrDefault<scalar>("pressed", GREAT);
         near_.travel(saved.getOrDefault<scalar>("travel", 0));

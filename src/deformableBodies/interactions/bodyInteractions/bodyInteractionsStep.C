@@ -41,7 +41,7 @@ void Foam::bodyInteractions::update()
     contactMoment_ -= momentAboutCentres();
     actOfWalls();
     samples_.addPower(points_.power(), time_.deltaTValue());
-    if (first) judgeStart();
+    if (first && !continues_) judgeStart();
 }
 
 void Foam::bodyInteractions::judgeStart() const
@@ -91,7 +91,7 @@ void Foam::bodyInteractions::collectPoints()
         const bodyPoints p(groups_[body.group].points(body.local));
         points_.addLine(b, body.number, p.positions, p.velocities,
                         std::sqrt(p.crossSection / constant::mathematical::pi),
-                        body.folded);
+                        body.folded, p.held, models_.range());
     }
 }
 
@@ -183,6 +183,7 @@ void Foam::bodyInteractions::actOfWalls()
         for (label k = points.first; k < points.end(); ++k)
         {
             const interactingPoint& p = points_.points()[k];
+            if (points_.isRooted(k)) continue;
             const vector x(points_.X()[k] +
                            (p.radius > 0 ? half : 0) * points_.V()[k]);
             const auto act = [&](const scalar distance, const vector& inward)
@@ -195,10 +196,7 @@ void Foam::bodyInteractions::actOfWalls()
                 points_.forces().F[k] += force;
                 points_.stiffness()[k] += ofWall.second * p.size;
                 wallMoment_ += force * (centre - (x - distance * inward));
-
-                // A point without velocity is held at the wall
-                if (P > 0 && distance < 0.5 * p.radius &&
-                    mag(points_.V()[k]) > 0)
+                if (P > 0 && distance < 0.5 * p.radius)
                 {
                     watch_.pressedIntoWall(p.radius - distance, body.number, x);
                 }

@@ -1,27 +1,17 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "boxWalls.H"
-#include "wallPolyPatch.H"
+#include "wallSides.H"
 
-Foam::boxWalls::boxWalls(const fvMesh& mesh, const uniformGrid& grid)
-    : grid_(grid),
-      walls_(FixedList<bool, 2>(false))
+Foam::boxWalls::boxWalls(const uniformGrid& grid)
+    : grid_(grid)
 {
-    for (const polyPatch& patch : mesh.boundaryMesh())
+    const auto sides(boxSides(grid));
+    for (direction d = 0; d < 3; ++d)
     {
-        if (!isA<wallPolyPatch>(patch)) continue;
-        forAll(patch, i)
+        for (label s = 0; s < 2; ++s)
         {
-            const label facei = patch.start() + i;
-            const direction d = grid_.faceDirection(facei);
-            walls_[d][grid_.lowerSide(facei) ? 0 : 1] = true;
-        }
-    }
-    for (FixedList<bool, 2>& ofDirection : walls_)
-    {
-        for (bool& wall : ofDirection)
-        {
-            reduce(wall, orOp<bool>());
+            walls_[d][s] = sides[d][s].wall;
         }
     }
 }

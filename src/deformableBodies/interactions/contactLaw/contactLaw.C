@@ -91,9 +91,9 @@ bool Foam::contactLaw::keep(const scalarList& defaults)
     {
         return false;
     }
-    const bool differ = mag(defaults[0] / strength_ - 1) > 1e-9;
-    strength_ = defaults[0];
-    most_ = defaults[1];
+    const bool differ = defaults[0] > strength_ * (1 + 1e-9);
+    strength_ = max(strength_, defaults[0]);
+    most_ = max(most_, defaults[1]);
     setClosest();
     return differ;
 }

@@ -21,8 +21,16 @@ void Foam::contactPoints::clear(const label nBodies)
 void Foam::contactPoints::addLine(const label index, const label number,
                                   const UList<vector>& x,
                                   const UList<vector>& v, const scalar radius,
-                                  const bool folded)
+                                  const bool folded,
+                                  const FixedList<bool, 2>& held,
+                                  const scalar reach)
 {
+    scalar whole = 0;
+    for (label k = 0; k + 1 < x.size(); ++k)
+    {
+        whole += mag(x[k + 1] - x[k]);
+    }
+
     ranges_[index].first = X_.size();
     interactingPoint point{0, radius};
     const scalar apart = max(min(0.5 * h_, 2 * radius), 0.1 * h_);
@@ -36,8 +44,11 @@ void Foam::contactPoints::addLine(const label index, const label number,
         {
             point.size = length / parts * h_;
             const scalar onward = (j + 0.5) / parts;
-            parts_.append({k, onward, scalar(1) / parts});
-            along_.append(folded ? before + onward * length : -1);
+            const scalar along = before + onward * length;
+            parts_.append({k, onward, scalar(1) / parts,
+                           (held[0] && along < reach) ||
+                               (held[1] && whole - along < reach)});
+            along_.append(folded ? along : -1);
             X_.append((1 - onward) * x[k] + onward * x[k + 1]);
             V_.append((1 - onward) * v[k] + onward * v[k + 1]);
             points_.append(point);
@@ -84,7 +95,8 @@ void Foam::contactPoints::moveLine(const label index, const UList<vector>& x,
     {
         const partOfSegment& on = parts_[k - firstOfLines_];
         const label s = on.segment;
-        motions.number[k] = k - points.first;
+        const label number = k - points.first;
+        motions.number[k] = on.rooted ? -1 - number : number;
         motions.along[k] = mag((s + on.onward) / segments - 0.5);
         motions.element[k] = on.part * (x[s + 1] - x[s]);
         motions.turn[k] = on.part * (v[s + 1] - v[s]);

@@ -14,8 +14,10 @@ Foam::fibreResistances::motionsHere(const lineMotions& own) const
         scalarField(x.size(), GREAT), vectorField(x.size(), Zero)};
     forAll(x, k)
     {
-        motions.numbers[k] = label(numbers[k]);
-        if (search_.points()[k].radius > 0)
+        // Walls do not act beside a held end: see contactPoints::moveLine
+        const bool rooted = numbers[k] < 0;
+        motions.numbers[k] = label(rooted ? -1 - numbers[k] : numbers[k]);
+        if (search_.points()[k].radius > 0 && !rooted)
         {
             motions.toWalls[k] = walls_.distance(x[k], motions.inward[k]);
         }

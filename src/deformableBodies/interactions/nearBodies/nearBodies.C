@@ -69,7 +69,7 @@ bool Foam::nearBodies::isOld()
     way_ = 0;
     if (way > 0) lastTravel_ = way;
     travelled_ += way;
-    return travelled_ > 0.5 * skin();
+    return !(travelled_ <= 0.5 * skin()); // not a number is old
 }
 
 void Foam::nearBodies::compare(const std::vector<body>& bodies,

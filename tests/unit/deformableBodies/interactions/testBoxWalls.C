@@ -38,6 +38,5 @@ TEST(BoxWalls, patchesAreNoWalls)
 {
     const uniformGrid& grid = uniformGrid::New(test::mesh());
     vector inward(Zero);
-    EXPECT_EQ(boxWalls(test::mesh(), grid).distance(grid.origin(), inward),
-              GREAT);
+    EXPECT_EQ(boxWalls(grid).distance(grid.origin(), inward), GREAT);
 }

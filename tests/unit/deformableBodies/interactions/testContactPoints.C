@@ -166,3 +166,20 @@ TEST(ContactPoints, forcesReachTheNodes)
     EXPECT_NEAR(motions.along[4], 0.5 - 0.5 / 12, 1e-13);
     EXPECT_NEAR(motions.along[12], 0.5 - 0.5 / 6, 1e-13);
 }
+
+// Walls do not act on the points of a fibre within reach of an end that is held
+TEST(ContactPoints, rootsOfFibres)
+{
+    const scalar h = cmptMax(grid().h());
+    const vectorField x(List<vector>({vector(0, 0, 0), vector(4 * h, 0, 0)}));
+    contactPoints points(grid());
+    points.clear(1);
+    points.addLine(0, 0, x, x, 0.2 * h, false, {true, false}, 1.1 * h);
+    label rooted = 0;
+    for (label k = 0; k < points.size(); ++k)
+    {
+        EXPECT_EQ(points.isRooted(k), points.X()[k].x() < 1.1 * h);
+        rooted += points.isRooted(k);
+    }
+    EXPECT_TRUE(rooted > 0 && rooted < points.size());
+}

@@ -91,7 +91,7 @@ const scalarList contacts({0,    3,       2,    7,    1 / 3.0, 1e-17, 1, 2,
 TEST(InteractionState, readsWhatItWrote)
 {
     const bodyNumbers numbers(threeGroups());
-    scene saved(1 / 3.0), restarted(2);
+    scene saved(2), restarted(1 / 3.0);
     saved.models.remember({contacts});
     const dictionary state(
         dictOf(interactionState::write(saved.models, numbers)));
@@ -102,6 +102,13 @@ TEST(InteractionState, readsWhatItWrote)
     EXPECT_NE(saved.models.forces()[0].defaults(), before);
     EXPECT_EQ(restarted.models.forces()[0].defaults(),
               saved.models.forces()[0].defaults());
+
+    // Loads that have grown make a larger strength
+    scene grown(4);
+    const scalarList larger(grown.models.forces()[0].defaults());
+    interactionState::read(state, boolList(3, false), numbers, grown.models,
+                           grown.effects);
+    EXPECT_EQ(grown.models.forces()[0].defaults(), larger);
 }
 
 // Contacts of a group that starts afresh, or of bodies and groups that are not there,
