@@ -120,6 +120,12 @@ def capsuleStress(file, time: float, side: float):
     return "%.5f %.5f %.5f" % (part("XY"), part("XX") - part("YY"), part("YY") - part("ZZ"))
 
 
+def trace(file, part):
+    """Largest trace of a part of the bulk stress over its largest shear stress."""
+    table = Table(file)
+    return "%.2e" % (abs(sum(table[part + axes] for axes in ("XX", "YY", "ZZ"))).max() / abs(table[part + "XY"]).max())
+
+
 def increments(folder, nu: float):
     """Largest relative difference of the mean square gradient that structureFunctions.dat
     has over its first distance, a cell, from the dissipation over nu; all times."""

@@ -171,7 +171,6 @@ void Foam::bodyState::read(const IOdictionary& dict)
     {
         Info << "Bodies continue from " << file << nl;
         checkGroups(dict, saved);
-        compareEntries(saved, initial);
     }
     if (found && system_.interactions)
     {
@@ -212,4 +211,5 @@ void Foam::bodyState::read(const IOdictionary& dict)
                  << nl;
         }
     }
+    if (found) compareEntries(saved, initial);
 }

@@ -222,18 +222,19 @@ Foam::capsuleGroup::stressFree(const dictionary& dict,
     {
         refuse(dict, "prestress", Foam::name(prestress), "greater than -1");
     }
-    if (dict.found("stressFree") && dict.subDict("stressFree").found("axis"))
+    numbers shape(initial_);
+    if (dict.found("stressFree"))
     {
-        refuse(dict.subDict("stressFree"), "axis",
-               valueOf(*dict.subDict("stressFree").findEntry("axis")),
-               "none: the axis is that of shape, as each point of the membrane "
-               "has its place on both");
+        const dictionary& free =
+            readDict(dict, "stressFree", "type sphere; radius 1e-6;");
+        if (free.found("axis"))
+        {
+            refuse(free, "axis", valueOf(*free.findEntry("axis")),
+                   "none: the axis is that of shape, as each point of the "
+                   "membrane has its place on both");
+        }
+        shape = initialShape(free, fine);
     }
-    numbers shape(dict.found("stressFree")
-                      ? initialShape(readDict(dict, "stressFree",
-                                              "type sphere; radius 1e-6;"),
-                                     fine)
-                      : initial_);
     for (double& x : shape)
     {
         x /= 1 + prestress;

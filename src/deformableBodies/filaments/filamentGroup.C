@@ -137,11 +137,7 @@ Foam::scalarList Foam::filamentGroup::state(const label i) const
     filament::save(x.U, s);
     filament::save(x.forces, s);
     s.append(x.power);
-    if (held_)
-    {
-        filament::save(vectorField({x.line.clamp(0), x.line.clamp(1), x.start}),
-                       s);
-    }
+    filament::save(vectorField({x.line.clamp(0), x.line.clamp(1), x.start}), s);
     return scalarList(std::move(s));
 }
 
@@ -150,7 +146,7 @@ Foam::point Foam::filamentGroup::centreOf(const scalarList& state,
                                           const dictionary& source) const
 {
     const label N = properties_.segments;
-    const label all = filament::stateSize(N) + 3 + (held_ ? 9 : 0) +
+    const label all = filament::stateSize(N) + 12 +
                       3 * (points_.size() + (twoWay() ? markersEach() : 0));
     if (state.size() != all)
     {
@@ -193,7 +189,6 @@ void Foam::filamentGroup::restore(body& x, const label number,
     at = filament::restore(at, x.U);
     at = filament::restore(at, x.forces);
     x.power = *at++;
-    if (!held_) return;
     vectorField held(3);
     filament::restore(at, held);
     x.line.clamp(0, held[0]);

@@ -95,8 +95,9 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
     const auto saved = stateOfTime(system.mesh, "bulkStress");
     const auto otherSides = [&]()
     {
-        const scalar then = saved->getOrDefault<scalar>("rate", sides.rate);
-        return sides.steady && mag(sides.rate - then) > 1e-6 * mag(then);
+        rate_ = saved->getOrDefault<scalar>("rate", 0);
+        return sides.steady && rate_ != 0 &&
+               mag(sides.rate - rate_) > 1e-6 * mag(rate_);
     };
     if (saved && otherSides())
     {
