@@ -34,7 +34,7 @@ def sphereResistance(case, gap: float):
     if case == "along":
         # Centre over radius, force over Stokes'; interpolated in logarithms
         table = np.array([(1.0453, 2.6475), (1.1276, 2.1514), (1.5431, 1.5675), (2.3524, 1.3079),
-                          (3.7622, 1.1738), (10.0677, 1.0587)])
+                          (3.7622, 1.1738), (10.0677, 1.0591)])
         x = np.log(table[:, 0] - 1)
         return "%.16g" % (1 + np.exp(np.polyval(np.polyfit(x, np.log(table[:, 1] - 1), 4), np.log(gap))))
     alpha = np.arccosh(1 + (gap if case == "towards" else gap / 2))
