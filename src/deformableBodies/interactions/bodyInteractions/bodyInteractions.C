@@ -26,6 +26,12 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
       points_(scene.grid),
       watch_(
           mesh.time(), [this](const label number) { return nameOf(number); },
+          [this](const label number)
+          {
+              const label host = groups_[numbers_.group(number)].host();
+              return host < 0 ? -1
+                              : numbers_.number(host, numbers_.body(number));
+          },
           models_.actOn(false, false)),
       samples_(mesh.time(), mesh.dbDir())
 {

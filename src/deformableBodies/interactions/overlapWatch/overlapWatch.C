@@ -17,9 +17,11 @@ void Foam::overlapWatch::overlaps::include(const scalar deep, const label first,
 
 Foam::overlapWatch::overlapWatch(const Time& time,
                                  const std::function<string(label)>& nameOf,
+                                 const std::function<label(label)>& hostOf,
                                  const bool linesKeptApart)
     : time_(time),
       nameOf_(nameOf),
+      hostOf_(hostOf),
       linesKeptApart_(linesKeptApart),
       rarely_(warnRarely::once)
 {
@@ -35,15 +37,17 @@ void Foam::overlapWatch::begin()
     nPairs_ = 0;
 }
 
+Foam::label Foam::overlapWatch::bodyOf(const closePairs& pairs,
+                                       const label point)
+{
+    const label number = pairs.body()[point];
+    return number < 0 ? -1 - number : number;
+}
+
 void Foam::overlapWatch::include(const scalar depth, const closePairs& pairs,
                                  const closePairs::pair& p)
 {
-    const auto bodyOf = [&](const label k)
-    {
-        const label number = pairs.body()[k];
-        return number < 0 ? -1 - number : number;
-    };
-    now_.include(depth, bodyOf(p.first), bodyOf(p.second),
+    now_.include(depth, bodyOf(pairs, p.first), bodyOf(pairs, p.second),
                  pairs.here()[p.first]);
 }
 
@@ -95,14 +99,21 @@ void Foam::overlapWatch::lookBehind(const closePairs& pairs,
     const vectorField areas(pairs.handOut(own));
     for (const closePairs::pair& p : pairs.pairs())
     {
-        // Either point lies behind the other's surface
         const vector &n = areas[p.first], &m = areas[p.second];
-        const scalar apart = mag(p.r);
-        if ((n & m) < 0 && (m & p.r) < -0.5 * mag(m) * apart &&
-            (n & p.r) > 0.5 * mag(n) * apart)
-        {
-            include(apart, pairs, p);
-        }
+        if ((n & m) == 0) continue;
+        const label first = bodyOf(pairs, p.first),
+                    second = bodyOf(pairs, p.second);
+        const scalar apart = mag(p.r), ofFirst = (n & p.r) / (mag(n) * apart),
+                     ofSecond = (m & p.r) / (mag(m) * apart);
+
+        // Either point lies behind the other's surface, or that of a nucleus outside its
+        // host
+        const bool alike = (n & m) > 0;
+        const bool crosses = hostOf_(first) == second ? alike && ofSecond > 0.5
+                             : hostOf_(second) == first
+                                 ? alike && ofFirst < -0.5
+                                 : !alike && ofSecond < -0.5 && ofFirst > 0.5;
+        if (crosses) include(apart, pairs, p);
     }
 }
 

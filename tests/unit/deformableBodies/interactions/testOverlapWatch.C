@@ -17,6 +17,11 @@ string nameOf(const label body)
     return "body " + Foam::name(body);
 }
 
+label noHost(label)
+{
+    return -1;
+}
+
 //- Points in a row at these heights over the middle of the box, one body each
 struct row
 {
@@ -46,7 +51,7 @@ TEST(OverlapWatch, fibres)
     const scalar h = cmptMin(grid().h()), radius = 0.5 * h;
     const row r(scalarField(scalarList({0, 0.95 * h, 1.7 * h})), 1.2 * h);
     const List<interactingPoint> points(3, interactingPoint{sqr(h), radius});
-    overlapWatch watch(test::mesh().time(), nameOf, true);
+    overlapWatch watch(test::mesh().time(), nameOf, noHost, true);
     watch.begin();
     watch.look(r.pairs, points);
     EXPECT_FALSE(watch.surfacesTouch());
@@ -79,7 +84,7 @@ TEST(OverlapWatch, fibresThatNothingKeepsApart)
     if (Pstream::parRun()) return;
     const scalar h = cmptMin(grid().h());
     const row r(scalarField(scalarList({0, 0.1 * h})), h);
-    overlapWatch watch(test::mesh().time(), nameOf, false);
+    overlapWatch watch(test::mesh().time(), nameOf, noHost, false);
     watch.begin();
     watch.look(r.pairs,
                List<interactingPoint>(2, interactingPoint{sqr(h), 0.5 * h}));
@@ -99,7 +104,7 @@ TEST(OverlapWatch, surfaces)
     const vector up(0, 0, sqr(h)); // area of a point
     for (const bool cross : {false, true})
     {
-        overlapWatch watch(test::mesh().time(), nameOf, true);
+        overlapWatch watch(test::mesh().time(), nameOf, noHost, true);
         watch.begin();
         watch.look(r.pairs, points);
         EXPECT_TRUE(watch.surfacesTouch());
@@ -111,5 +116,27 @@ TEST(OverlapWatch, surfaces)
         watch.settle();
         EXPECT_EQ(watch.nOverlaps(), cross ? 1 : 0);
         EXPECT_NEAR(watch.deepest(), cross ? depth : 0, 1e-12 * h);
+    }
+}
+
+// A nucleus crosses its capsule where its surface lies outside; normals are alike
+TEST(OverlapWatch, nuclei)
+{
+    if (Pstream::parRun()) return;
+    const scalar h = cmptMin(grid().h()), depth = 0.2 * h;
+    const row r(scalarField(scalarList({0, depth})), h);
+    const List<interactingPoint> points(2, interactingPoint{sqr(h), 0});
+    for (const label nucleus : {0, 1})
+    {
+        overlapWatch watch(
+            test::mesh().time(), nameOf,
+            [=](const label body)
+            { return body == nucleus ? 1 - nucleus : -1; },
+            true);
+        watch.begin();
+        watch.look(r.pairs, points);
+        watch.lookBehind(r.pairs, vectorField(2, vector(0, 0, sqr(h))));
+        watch.settle();
+        EXPECT_EQ(watch.nOverlaps(), nucleus); // the second is above the first
     }
 }
