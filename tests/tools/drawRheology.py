@@ -94,7 +94,7 @@ def drawFibres(picture):
     axes.flat[3].axhline(1, color="0.6", lw=0.8)
     for panel in axes[-1]:
         panel.set_xlabel(r"$B/(\mu\dot\gamma L^4)$")
-    figures.legendAbove(figure, axes.flat, 2)
+    figures.legendAbove(figure, axes.flat, 3)
     figures.save(figure, picture, dpi=110)
 
 

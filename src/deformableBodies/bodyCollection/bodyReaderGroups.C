@@ -136,13 +136,14 @@ void Foam::bodyReader::readNeighbourField(const bodyScene& scene)
                "effects)");
     }
     const bool between = wanted && nBodies > 0;
-    system_.effects.declare(
-        "neighbourField", between || nuclei,
-        between
-            ? "near field between bodies, and with walls, closer than 6 cells"
-        : nuclei ? "of nuclei only: entry neighbourField off"
-        : wanted ? "no surface with a near field"
-                 : "entry neighbourField off");
+    system_.effects.declare("neighbourField", between || nuclei,
+                            between ? "near field between bodies closer than 6 "
+                                      "cells, and with walls closer "
+                                      "than 3"
+                            : nuclei
+                                ? "of nuclei only: entry neighbourField off"
+                            : wanted ? "no surface with a near field"
+                                     : "entry neighbourField off");
     if (between || nuclei)
     {
         system_.between.reset(
