@@ -55,6 +55,11 @@ def legendAbove(figure, axes, columns):
     figure.legend(entries.values(), entries.keys(), loc="upper center", ncol=columns)
 
 
+def plusMinus(error, form=".2g"):
+    """An error for a label; nothing where it is not known, negative."""
+    return rf" $\pm$ {error:{form}}" if error >= 0 else ""
+
+
 def save(figure, picture, **options):
     """Write a picture (options of savefig), and the same as .pdf beside a .png."""
     os.makedirs(os.path.dirname(os.path.abspath(picture)), exist_ok=True)

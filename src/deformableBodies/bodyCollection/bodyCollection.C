@@ -220,8 +220,7 @@ void Foam::bodyCollection::stop()
             : pressed ? "was pressed through a wall"
                       : "diverged")
         << " at time " << time.timeName() << ": " << sentence.c_str() << nl
-        << "    What it looked like has been written to time "
-        << time.timeName()
+        << "    It has been written to time " << time.timeName()
         << (pressed ? "; allowed: a larger strength of repulsion, of fibres of "
                       "collision, with a smaller "
             : left  ? ""

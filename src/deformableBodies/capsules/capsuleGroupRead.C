@@ -230,8 +230,7 @@ Foam::capsuleGroup::stressFree(const dictionary& dict,
         if (free.found("axis"))
         {
             refuse(free, "axis", valueOf(*free.findEntry("axis")),
-                   "none: the axis is that of shape, as each point of the "
-                   "membrane has its place on both");
+                   "none: the axis is that of shape");
         }
         shape = initialShape(free, fine);
     }

@@ -233,10 +233,8 @@ void Foam::filamentGroup::readCoupling(const dictionary& dict)
     const bool limp = properties_.rigidity == 0 && properties_.mass == 0;
     if (twoWay() && limp)
     {
-        // Nothing but drag holds its nodes: one point for each, and as many between
-        // them as keep the points 1.5 cells apart
-        const label each =
-            max(label(1), label(std::ceil(properties_.ds() / (1.5 * h_))));
+        // Nothing but drag holds its nodes: points at most 1.5 cells apart, one at each
+        const label each = label(std::ceil(properties_.ds() / (1.5 * h_)));
         makePoints(each * properties_.segments + 1,
                    min(inset, 0.5 * properties_.ds()));
     }
@@ -277,14 +275,7 @@ void Foam::filamentGroup::makeCouple(const dictionary& dict, const scalar inset)
                                                 scene_.mu, h_)
                           : new thicknessCouple(N, ds, inset,
                                                 drag_ * sqr(L / re) / 12, h_));
-        boundBox walls(-0.5 * GREAT * vector::one, 0.5 * GREAT * vector::one);
-        for (direction d = 0; d < 3; ++d)
-        {
-            if (scene_.grid.periodic(d)) continue;
-            walls.min()[d] = scene_.grid.origin()[d];
-            walls.max()[d] = walls.min()[d] + scene_.grid.length()[d];
-        }
-        couple_->setWalls(walls);
+        couple_->setWalls(scene_.grid);
     }
     scene_.effects.declare("thicknessCouple", on,
                            Foam::name(L / thickness_) + " diameters of " +

@@ -39,6 +39,16 @@ Foam::thicknessCouple::thicknessCouple(const label segments, const scalar ds,
         1.5 * sqr(radius_ / h) * ownShear(kernel, apart / h) / (mu * apart);
 }
 
+void Foam::thicknessCouple::setWalls(const uniformGrid& grid)
+{
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (grid.periodic(d)) continue;
+        walls_.min()[d] = grid.origin()[d];
+        walls_.max()[d] = grid.origin()[d] + grid.length()[d];
+    }
+}
+
 Foam::scalar Foam::thicknessCouple::ownShear(const deltaKernel& kernel,
                                              const scalar apart)
 {

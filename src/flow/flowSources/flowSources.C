@@ -16,7 +16,7 @@ const wordList explicitTypes({"buoyancyForce", "actuationDiskSource",
                               "tabulatedAccelerationSource",
                               "vectorCodedSource", "vectorSemiImplicitSource"});
 
-//- Those of them that read no fields
+//- Explicit sources that read no fields
 const wordList constantTypes({"buoyancyForce", "vectorSemiImplicitSource"});
 
 //- The source of one option; per unit mass and volume of the cell, negative

@@ -110,8 +110,7 @@ TEST(ThicknessCouple, shearBesideWalls)
         for (const bool upper : {false, true})
         {
             thicknessCouple couple(6, h, 0, kernel, 1, h);
-            couple.setWalls(boundBox(vector(-GREAT, 0, -GREAT),
-                                     vector(GREAT, 16 * h, GREAT)));
+            couple.setWalls(grid);
             vectorField X(7);
             forAll(X, i)
             {
