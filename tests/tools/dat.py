@@ -15,8 +15,8 @@ def difference(a, b, kind="bodies"):
     if not all(map(len, tables)):
         return np.nan
     keys, floor = (1, 0) if kind == "table" else (2, 1)
-    first = max(rows[0, 0] for rows in tables) - 1e-9
-    a, b = ({(round(row[0], 9), *row[1:keys]): row[keys:] for row in rows if row[0] >= first} for rows in tables)
+    first = max(rows[0, 0] for rows in tables) - 1e-7
+    a, b = ({(round(row[0], 7), *row[1:keys]): row[keys:] for row in rows if row[0] >= first} for rows in tables)
     if a.keys() != b.keys():
         return np.nan
     x, y = np.array(list(a.values())), np.array([b[key] for key in a])

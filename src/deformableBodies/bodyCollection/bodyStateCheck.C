@@ -177,9 +177,7 @@ void Foam::bodyState::compareEntries(const label g, const entryHistory& then,
     if (taken.empty() && unused.empty()) return;
     const string who(all ? "All groups" : "Group " + name);
     Info << who.c_str() << ", other than before:";
-    if (!taken.empty())
-        Info << ' ' << taken.c_str()
-             << " (taken over; means of the state go on)";
+    if (!taken.empty()) Info << ' ' << taken.c_str() << " (taken over)";
     if (!unused.empty())
     {
         Info << (taken.empty() ? " " : "; ") << unused.c_str()

@@ -141,6 +141,8 @@ void Foam::closeWarnings::warnOfImages()
 
 void Foam::closeWarnings::look()
 {
+    if (lastStep_ == time_.timeIndex()) return;
+    lastStep_ = time_.timeIndex();
     if (steps_++ % 50) return;
     warnOfImages();
     if (!named_.found(false)) return;

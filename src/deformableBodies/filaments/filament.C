@@ -62,7 +62,7 @@ Foam::vector Foam::filament::heldPosition(const label i, const scalar dt) const
 
 void Foam::filament::ahead(const scalar dt, vectorField& X) const
 {
-    const scalar r = lastDeltaT_ > 0 ? dt / lastDeltaT_ : 0;
+    const scalar r = stepRatio(dt);
     X.setSize(X_.size());
     forAll(X, i)
     {

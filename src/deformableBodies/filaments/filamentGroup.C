@@ -179,8 +179,8 @@ void Foam::filamentGroup::restore(body& x, const label number,
         waitForMaster();
         FatalIOErrorInFunction(source)
             << "the saved state of body " << number
-            << " has segments of another length: was the entry length changed?"
-            << exit(FatalIOError);
+            << " has segments of another length: was the entry length or "
+            << "scheme changed?" << exit(FatalIOError);
     }
     const scalar* at =
         state.cdata() + filament::stateSize(properties_.segments);

@@ -82,7 +82,7 @@ void Foam::filamentNewton<Lanes>::load(filament* const* lines,
     if (couple_.size()) take(&filament::surroundings::shear, around, shear_);
 }
 
-// The first step is backward Euler
+// A step without a ratio to the last one is backward Euler
 template<int Lanes>
 void Foam::filamentNewton<Lanes>::extrapolate(const scalar dt,
                                               filament* const* lines,
@@ -91,11 +91,10 @@ void Foam::filamentNewton<Lanes>::extrapolate(const scalar dt,
     lanes c1, c2, r;
     for (int l = 0; l < Lanes; ++l)
     {
-        const scalar last = lines[min(l, n - 1)]->lastDeltaT_;
-        r[l] = last > 0 ? dt / last : 0;
-        c0_[l] = last > 0 ? (1 + 2 * r[l]) / ((1 + r[l]) * dt) : 1 / dt;
-        c1[l] = last > 0 ? -(1 + r[l]) / dt : -1 / dt;
-        c2[l] = last > 0 ? sqr(r[l]) / ((1 + r[l]) * dt) : 0;
+        r[l] = lines[min(l, n - 1)]->stepRatio(dt);
+        c0_[l] = (1 + 2 * r[l]) / ((1 + r[l]) * dt);
+        c1[l] = -(1 + r[l]) / dt;
+        c2[l] = sqr(r[l]) / ((1 + r[l]) * dt);
     }
     if (stiffness_.size()) startV_ = V_;
     for (lanes& k : stiffness_)

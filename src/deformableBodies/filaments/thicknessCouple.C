@@ -65,10 +65,11 @@ Foam::thicknessCouple::frameAt(const vectorField& X, const label station) const
     f.t /= mag(f.t);
 
     // Any direction across t is possible, as three points measure a linear field exactly.
-    // When the choice changes, the forces of the last step have other directions for one step
+    // When the choice changes, the forces of the last step have other directions for one
+    // step. Walls matter within 3.5 cells, the reach of points and kernel
     const point x(0.5 * (X[first(station)] + X[first(station + 1)]));
     vector a(mag(f.t.x()) < 0.7 ? vector(1, 0, 0) : vector(0, 1, 0));
-    scalar least = 0.1 * GREAT;
+    scalar least = 3.5 / 1.5 * radius_;
     for (direction d = 0; d < 3; ++d)
     {
         const scalar lower = x[d] - walls_.min()[d],

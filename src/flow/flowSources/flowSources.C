@@ -17,7 +17,7 @@ const wordList explicitTypes({"buoyancyForce", "actuationDiskSource",
                               "vectorCodedSource", "vectorSemiImplicitSource"});
 
 //- Explicit sources that read no fields
-const wordList constantTypes({"buoyancyForce", "vectorSemiImplicitSource"});
+const wordList constantTypes({"buoyancyForce"});
 
 //- The source of one option; per unit mass and volume of the cell, negative
 fvVectorMatrix matrixOf(fv::option& o, const volVectorField& U)
@@ -93,7 +93,9 @@ Foam::string Foam::flowSources::unsupported(const fv::option& o,
 
 void Foam::flowSources::refuseNoDirection(const fvMesh& mesh)
 {
-    for (const dictionary& coeffs : optionsOfType(mesh, "meanVelocityForce"))
+    // OpenFOAM makes options that are not active as well
+    for (const dictionary& coeffs :
+         optionsOfType(mesh, "meanVelocityForce", true))
     {
         if (mag(coeffs.getOrDefault<vector>("Ubar", vector::one)) > 0) continue;
         refuse(coeffs, "Ubar", "(0 0 0)",

@@ -239,10 +239,10 @@ Foam::fileName Foam::fileInOtherCase(const IOobject& io)
     return found;
 }
 
-Foam::List<Foam::dictionary> Foam::optionsOfType(const polyMesh& mesh,
-                                                 const word& type)
+Foam::List<Foam::dictionary>
+Foam::optionsOfType(const polyMesh& mesh, const word& type, const bool all)
 {
-    List<dictionary> all;
+    List<dictionary> found;
     for (const word& place : {mesh.time().constant(), mesh.time().system()})
     {
         const IOdictionary options(IOobject("fvOptions", place, mesh,
@@ -251,13 +251,13 @@ Foam::List<Foam::dictionary> Foam::optionsOfType(const polyMesh& mesh,
         for (const entry& e : options)
         {
             if (e.isDict() && e.dict().getOrDefault<word>("type", "") == type &&
-                e.dict().getOrDefault<bool>("active", true))
+                (all || e.dict().getOrDefault<bool>("active", true)))
             {
-                all.append(e.dict().optionalSubDict(type + "Coeffs"));
+                found.append(e.dict().optionalSubDict(type + "Coeffs"));
             }
         }
     }
-    return all;
+    return found;
 }
 
 Foam::fileName Foam::outputFolder(const polyMesh& mesh, const fileName& folder)

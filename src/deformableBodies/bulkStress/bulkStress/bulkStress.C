@@ -96,8 +96,13 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
     const auto otherSides = [&]()
     {
         rate_ = saved->getOrDefault<scalar>("rate", 0);
+        const labelList turned(saved->getOrDefault<labelList>(
+            "directions", {sides.flow, sides.gradient}));
+
+        // Boundary values are written with writePrecision digits
         return sides.steady && rate_ != 0 &&
-               mag(sides.rate - rate_) > 1e-6 * mag(rate_);
+               (mag(sides.rate - rate_) > 1e-4 * mag(rate_) ||
+                turned != labelList({sides.flow, sides.gradient}));
     };
     if (saved && otherSides())
     {

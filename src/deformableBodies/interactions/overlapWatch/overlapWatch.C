@@ -103,7 +103,8 @@ void Foam::overlapWatch::lookBehind(const closePairs& pairs,
         if ((n & m) == 0) continue;
         const label first = bodyOf(pairs, p.first),
                     second = bodyOf(pairs, p.second);
-        const scalar apart = mag(p.r), ofFirst = (n & p.r) / (mag(n) * apart),
+        const scalar apart = max(mag(p.r), VSMALL),
+                     ofFirst = (n & p.r) / (mag(n) * apart),
                      ofSecond = (m & p.r) / (mag(m) * apart);
 
         // Either point lies behind the other's surface, or that of a nucleus outside its
