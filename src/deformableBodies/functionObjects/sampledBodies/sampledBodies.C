@@ -65,7 +65,7 @@ void Foam::functionObjects::sampledBodies::requireBodies(
 void Foam::functionObjects::sampledBodies::requireMotion(
     const bodyCollection& bodies, const fvMeshFunctionObject& function)
 {
-    if (bodies.empty() || bodies.movedToPresent()) return;
+    if (bodies.empty() || bodies.haveMoved()) return;
     FatalErrorInFunction << "functionObject " << function.name()
                          << ": no bodies move in this "
                          << "solver" << nl
