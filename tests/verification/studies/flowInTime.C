@@ -90,13 +90,14 @@ TEST(FlowOrders, kineticEnergyWithoutViscosity)
                         periodic, 0);
             b.start(vortices);
             auto flow = b.flow(controls);
-            step(*flow, 1e-12); // makes the initial velocity divergence-free
+            const scalar dt = 2.0 / steps;
+            step(*flow, dt); // makes the velocity divergence-free; AB2 begins with Euler
             const auto energy = [&]()
             {
                 const staggeredField u(velocityOf(*flow, b));
                 return sumSqr(u[0]) + sumSqr(u[1]) + sumSqr(u[2]);
             };
-            const scalar before = energy(), dt = 2.0 / steps;
+            const scalar before = energy();
             for (label n = 0; n < steps; ++n)
             {
                 flow->force().clear();
