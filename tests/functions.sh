@@ -18,7 +18,7 @@ done
 isQuick() { [ "$extent" = quick ]; }
 isLong() { [ "$extent" = long ]; }
 
-# Points of a study, by their names or beginnings of them. Without any: all
+# Arguments name points of a study, in full or by their beginning. None: all points
 wanted=()
 for argument
 do

@@ -248,15 +248,21 @@ class View:
         axes.SetFlyModeToOuterEdges()
         axes.SetTickLocationToOutside()
         low, high = sides
+
+        # Numbers of small and large boxes are over a power of thousand, beside the name
+        power = 3 * int(np.floor(np.log10((high - low).max()) / 3))
+        unit = 1.0 if -3 < power < 6 else 10.0**power
         middle, out = 0.5 * (low + high), 0.14 * (high - low).max()
-        places = {"x": (middle[0], low[1] - out, high[2]), "y": (low[0] - out, middle[1], high[2]),
+        left = low[0] - (1 if unit == 1 else 1.8) * out
+        places = {"x": (middle[0], low[1] - out, high[2]), "y": (left, middle[1], high[2]),
                   "z": (high[0] + out, low[1], middle[2])}
         for i, name in enumerate("xyz"):
             axes.GetLabelTextProperty(i).SetColor(0, 0, 0)
             getattr(axes, "Set%sTitle" % name.upper())("")
             getattr(axes, "Get%sAxesLinesProperty" % name.upper())().SetColor(0.35, 0.35, 0.35)
             getattr(axes, "%sAxisMinorTickVisibilityOff" % name.upper())()
-            self.label(name, places[name], 24)
+            getattr(axes, "Set%sAxisRange" % name.upper())(low[i] / unit, high[i] / unit)
+            self.label(name if unit == 1 else "%s / %g" % (name, unit), places[name], 24)
         axes.SetUse2DMode(1)
         self.scene.AddActor(axes)
         edges = self.vtk.vtkOutlineSource()

@@ -79,7 +79,8 @@ def plainTicks(side):
 def front(cost, error):
     """Mask of the points that no cheaper one reaches in error: the Pareto front."""
     cost, error = np.asarray(cost), np.asarray(error)
-    return np.array([not ((cost <= c) & (error <= e) & ((cost < c) | (error < e))).any() for c, e in zip(cost, error)])
+    dominated = [((cost <= c) & (error <= e) & ((cost < c) | (error < e))).any() for c, e in zip(cost, error)]
+    return ~np.array(dominated, dtype=bool)
 
 
 def errorsAgainstSeconds(axis, rows, baseSeconds, unit, fontsize, label="{setting}"):

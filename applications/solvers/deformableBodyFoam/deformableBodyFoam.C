@@ -51,7 +51,7 @@ Usage
 #include "stepRetries.H"
 #include "readOnceDictionary.H"
 #include "printEnd.H"
-#include "wallSides.H"
+#include "boxSides.H"
 
 int main(int argc, char* argv[])
 {
@@ -94,9 +94,9 @@ int main(int argc, char* argv[])
             limits.adjust(runTime);
             if (flows)
             {
-                limits.judge(fill);
-                limits.judgeEstimate("bodies");
-                limits.judgeEstimate("contacts");
+                limits.check(fill);
+                limits.checkEstimate("bodies");
+                limits.checkEstimate("contacts");
             }
 
             ++runTime;

@@ -24,7 +24,6 @@ void Foam::stepLimits::readControls()
         refuse(dict, name, Foam::name(value), "numbers greater than 0");
     };
     requirePositive("deltaT", time_.deltaTValue());
-    if (!adjusted_) return;
     requirePositive("maxCo", maxCo_);
     requirePositive("maxDeltaT", maxDeltaT_);
 }
@@ -166,7 +165,7 @@ Foam::string Foam::stepLimits::wrong() const
     return guard_.wrong(Co_);
 }
 
-void Foam::stepLimits::judge(const std::function<void()>& beforeStop,
+void Foam::stepLimits::check(const std::function<void()>& beforeStop,
                              const string& failed)
 {
     const auto nameCauses = [&]()
@@ -184,7 +183,7 @@ void Foam::stepLimits::judge(const std::function<void()>& beforeStop,
     guard_.check(Co_, rate(), nameCauses, failed);
 }
 
-void Foam::stepLimits::judgeEstimate(const word& what, const string& remedy)
+void Foam::stepLimits::checkEstimate(const word& what, const string& remedy)
 {
     const scalar deltaT = time_.deltaTValue();
     for (const limit& l : limits_)

@@ -31,7 +31,7 @@ Foam::stepRetries::stepRetries(Time& time, stepLimits& limits, lastStep& last,
 
 void Foam::stepRetries::limitSteps()
 {
-    const scalar most = last_.divided().limit;
+    const scalar most = last_.divided().maxDeltaT;
     if (!limits_.adjusted() || !(most < GREAT)) return;
     limits_.set("retries", most, "last step that was taken back");
 }
@@ -39,7 +39,7 @@ void Foam::stepRetries::limitSteps()
 Foam::string Foam::stepRetries::inParts(const std::function<string()>& step)
 {
     const label n = last_.divided().subSteps;
-    last_.divided().parts = n;
+    last_.divided().lastSubSteps = n;
     if (n == 1) return step();
     string wrong;
     time_.subCycle(n);
@@ -62,29 +62,30 @@ Foam::string Foam::stepRetries::advance(const actions& a)
     }
     lastStep::division& d = last_.divided();
     const label most = 1 << maxRetries_;
-    d.unjudged = max(d.unjudged - 1, label(0));
+    d.nUnchecked = max(d.nUnchecked - 1, label(0));
     a.save();
     const label before = taken_;
     while (true)
     {
-        a.watchUnsteady(d.unjudged == 0 && d.subSteps < most);
+        a.watchUnsteady(d.nUnchecked == 0 && d.subSteps < most);
         const string wrong(firstOf(inParts(a.step)));
         if (wrong.empty()) break;
         if (d.subSteps >= most)
         {
             return wrong + ", also in " + Foam::name(d.subSteps) + " sub-steps";
         }
-        if (taken_ == before) d.pause = min(2 * d.pause, label(1000));
+        if (taken_ == before)
+            d.nGoodWanted = min(2 * d.nGoodWanted, label(1000));
         ++taken_;
         d.subSteps *= 2;
-        d.quiet = 0;
+        d.nGood = 0;
         a.restore();
         Info << "Step taken back at time " << time_.timeName() << ": "
              << wrong.c_str() << nl << "    Taken again in " << d.subSteps
              << " sub-steps of " << time_.deltaTValue() / d.subSteps << " s"
              << nl;
     }
-    if (d.unjudged == 0 && d.subSteps >= most)
+    if (d.nUnchecked == 0 && d.subSteps >= most)
     {
         goOnUnsteady(firstOf(a.unsteady()));
     }
@@ -105,7 +106,7 @@ void Foam::stepRetries::goOnUnsteady(const string& sentence)
                           << "diverge, reduce " << stepEntry(time_) << endl;
     }
     d.subSteps = 1;
-    d.unjudged = 1000;
+    d.nUnchecked = 1000;
 }
 
 void Foam::stepRetries::recover()
@@ -113,15 +114,15 @@ void Foam::stepRetries::recover()
     lastStep::division& d = last_.divided();
     if (limits_.adjusted() && d.subSteps > 1)
     {
-        d.limit = time_.deltaTValue() / d.subSteps;
+        d.maxDeltaT = time_.deltaTValue() / d.subSteps;
         d.subSteps = 1;
     }
-    const bool divided = d.subSteps > 1 || d.limit < GREAT;
-    if (divided && ++d.quiet >= d.pause)
+    const bool divided = d.subSteps > 1 || d.maxDeltaT < GREAT;
+    if (divided && ++d.nGood >= d.nGoodWanted)
     {
-        d.quiet = 0;
+        d.nGood = 0;
         if (d.subSteps > 1) d.subSteps /= 2;
-        if (d.limit < GREAT) d.limit *= 2;
+        if (d.maxDeltaT < GREAT) d.maxDeltaT *= 2;
     }
     limitSteps();
 }

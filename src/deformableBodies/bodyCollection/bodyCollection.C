@@ -41,7 +41,7 @@ Foam::bodyCollection::bodyCollection(const fvMesh& mesh,
 
 void Foam::bodyCollection::refuseMisplaced(const IOobject& io) const
 {
-    const fileName other(fileInOtherCase(io));
+    const fileName other(fileWithOtherCapitals(io));
     if (other.empty()) return;
     FatalErrorInFunction
         << "there is no file "
@@ -105,7 +105,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
     staggeredField force(system_.grid.box()), u(system_.grid.box());
     if (!empty() && !system_.withoutFluid && !system_.solverBalances)
     {
-        judgeStep(phi);
+        checkStep(phi);
     }
     if (!empty()) system_.grid.toStaggered(phi, u);
     moveWithVelocity(u, force);
@@ -122,7 +122,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
     }
 }
 
-void Foam::bodyCollection::judgeStep(const surfaceScalarField& phi)
+void Foam::bodyCollection::checkStep(const surfaceScalarField& phi)
 {
     if (!stepLimits_)
     {
@@ -132,8 +132,8 @@ void Foam::bodyCollection::judgeStep(const surfaceScalarField& phi)
     }
     limits_.set(*stepLimits_);
     stepLimits_->setCourantNo(CourantGuard::CourantNo(phi));
-    stepLimits_->judge([&]() { trouble_.any = true; });
-    stepLimits_->judgeEstimate(
+    stepLimits_->check([&]() { trouble_.setDiverged(); });
+    stepLimits_->checkEstimate(
         "bodies", system_.adjustsStep()
                       ? " (maxDeltaT in system/controlDict: this solver "
                         "adjusts its step without regard to bodies)"
@@ -210,27 +210,32 @@ void Foam::bodyCollection::stop()
 {
     const Time& time = system_.mesh.time();
     const string sentence(firstOf(trouble_.sentence));
-    const bool left = trouble_.fate == boxChecks::LEFT;
-    const bool pressed = trouble_.fate == boxChecks::PRESSED;
+    string what, remedy;
+    switch (trouble_.fate)
+    {
+    case boxChecks::LEFT:
+        what = "left the box";
+        remedy = "\"outside remove;\" in its group, with which the run goes "
+                 "on without it";
+        break;
+    case boxChecks::PRESSED:
+        what = "was pressed through a wall";
+        remedy = "from an earlier time, a smaller " + stepEntry(time) +
+                 " with a larger strength of repulsion, or of collision "
+                 "for fibres; \"outside remove;\" in its group, with which "
+                 "the run goes on without it";
+        break;
+    default:
+        what = "diverged";
+        remedy = "from an earlier time, a smaller " + string(stepEntry(time));
+    }
     lastStep::writeBeforeStop(time, trouble_.outside() ? string() : sentence);
     waitForMaster();
-    FatalErrorInFunction
-        << "a body "
-        << (left      ? "left the box"
-            : pressed ? "was pressed through a wall"
-                      : "diverged")
-        << " at time " << time.timeName() << ": " << sentence.c_str() << nl
-        << "    It has been written to time " << time.timeName()
-        << (pressed ? "; allowed: a larger strength of repulsion, of fibres of "
-                      "collision, with a smaller "
-            : left  ? ""
-                    : "; go on from an earlier time with a smaller ")
-        << (left ? word() : stepEntry(time))
-        << (trouble_.outside()
-                ? "; with outside remove; in its group the run goes on "
-                  "without it"
-                : "")
-        << exit(FatalError);
+    FatalErrorInFunction << "a body " << what.c_str() << " at time "
+                         << time.timeName() << ": " << sentence.c_str() << nl
+                         << "    allowed: " << remedy.c_str() << nl
+                         << "    The bodies have been written to time "
+                         << time.timeName() << exit(FatalError);
 }
 
 Foam::string Foam::bodyCollection::nearest(const point& x) const

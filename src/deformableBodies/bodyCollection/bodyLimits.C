@@ -1,7 +1,23 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "bodyLimits.H"
+#include "rangeCheck.H"
 #include "sceneNumbers.H"
+
+void Foam::bodyLimits::checkCorrectors(const dictionary& controls) const
+{
+    if (!system_.twoWay()) return;
+    const scalar n = controls.getOrDefault<label>("nCorrectors", 1);
+    const scalar diffusionNumber = system_.nu->value() *
+                                   system_.mesh.time().deltaTValue() /
+                                   sqr(cmptMin(system_.grid.h()));
+    const scalar enough = diffusionNumber > 1.5 ? 4 : 2;
+    checkRanges(
+        controls,
+        {{"nCorrectors", "nCorrectors", n, 0, GREAT, enough, GREAT,
+          "beside bodies, at nu deltaT/h^2 = " + Foam::name(diffusionNumber) +
+              ", velocity and pressure may swing until the run stops"}});
+}
 
 Foam::scalar Foam::bodyLimits::maxDeltaT(string* reason) const
 {
@@ -77,7 +93,7 @@ void Foam::bodyLimits::describe() const
 
     // A run that was begun with an accuracy is not refused in the middle
     reduce(fresh, orOp<bool>());
-    judgeErrors(all, fresh ? system_.accuracy.wanted : 0,
+    checkErrors(all, fresh ? system_.accuracy.wanted : 0,
                 system_.mesh.time().constant() / "deformableBodies");
 }
 

@@ -40,7 +40,7 @@ void Foam::bodyMotion::moveWithVelocity(const staggeredView& u,
 {
     const Time& time = system_.mesh.time();
     label nActing;
-    const labelList groups(system_.groupsThat(forcingType::none, &nActing));
+    const labelList groups(system_.groupsOf(forcingType::none, &nActing));
     const SubList<label> acting(groups, nActing),
         following(groups, groups.size() - nActing, nActing);
     markerValues markers;
@@ -71,13 +71,13 @@ void Foam::bodyMotion::moveWithVelocity(const staggeredView& u,
     if (!returnReduce(loads.X.size(), maxOp<label>())) return;
     const auto spreading(system_.effects.time("spreading"));
     system_.markers->setPositions(loads.X);
-    system_.markers->spread(loads.F, perMass(force, loads.F, groups));
+    spread(loads.F, groups, force);
 }
 
 void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p)
 {
-    const labelList lines(system_.groupsThat(forcingType::ofLines));
-    const labelList surfaces(system_.groupsThat(forcingType::ofSurfaces));
+    const labelList lines(system_.groupsOf(forcingType::ofLines));
+    const labelList surfaces(system_.groupsOf(forcingType::ofSurfaces));
     labelList groups(lines);
     groups.append(surfaces);
     if (trouble_.any) return;
@@ -121,7 +121,7 @@ void Foam::bodyMotion::moveWithPrediction(const velocityPrediction& p)
     const auto timing(system_.effects.time("spreading"));
     for (const staggeredTarget& force : p.force)
     {
-        system_.markers->spread(last, perMass(force, last, groups));
+        spread(last, groups, force);
     }
     addForceByHeld(p);
 }
@@ -144,10 +144,10 @@ void Foam::bodyMotion::predict(const velocityPrediction& p,
     const auto timing(system_.effects.time("spreading"));
     for (label i = 1; i < p.force.size(); ++i)
     {
-        system_.markers->spread(change, perMass(p.force[i], change, groups));
+        spread(change, groups, p.force[i]);
     }
-    system_.markers->spreadAndInterpolate(change,
-                                          perMass(p.force[0], change, groups),
+    subtractMean(p.force[0], change, groups);
+    system_.markers->spreadAndInterpolate(change, perMass(p.force[0]),
                                           p.after(fraction), markers.U);
 }
 
@@ -164,7 +164,7 @@ Foam::bodyMotion::collect(const labelUList& groups, const scalar dt)
     {
         bodyGroup& group = system_.groups[g];
         const label n = group.nMarkers();
-        group.markers(markers.X.data() + first, dt);
+        group.placeMarkers(markers.X.data() + first, dt);
         if (group.forcing() != forcingType::none)
         {
             direct = true;
@@ -195,7 +195,7 @@ void Foam::bodyMotion::recordSlip(const staggeredView& u)
         if (group.forcing() == forcingType::none) continue;
         const auto timing(system_.effects.time("interpolation"));
         vectorField X(group.nMarkers()), U;
-        group.markers(X.data(), 0);
+        group.placeMarkers(X.data(), 0);
         system_.markers->setPositions(X);
         system_.markers->interpolate({u}, U);
         refCast<directForcing>(group).recordSlip(U.cdata());
@@ -257,19 +257,29 @@ Foam::vector Foam::bodyMotion::unbalanced(const vectorField& F,
     return returnReduce(all, sumOp<vector>());
 }
 
-Foam::staggeredTarget Foam::bodyMotion::perMass(const staggeredTarget& force,
-                                                const vectorField& F,
-                                                const labelUList& groups) const
+Foam::staggeredTarget
+Foam::bodyMotion::perMass(const staggeredTarget& force) const
 {
     staggeredTarget target(force);
     target.factor /= system_.rho;
-    if (system_.periodicBox())
-    {
-        addUniform(-target.factor * unbalanced(F, groups) /
-                       system_.grid.volume(),
-                   system_.grid.box().size, force);
-    }
     return target;
+}
+
+void Foam::bodyMotion::subtractMean(const staggeredTarget& force,
+                                    const vectorField& F,
+                                    const labelUList& groups) const
+{
+    if (!system_.periodicBox()) return;
+    addUniform(-perMass(force).factor * unbalanced(F, groups) /
+                   system_.grid.volume(),
+               system_.grid.box().size, force);
+}
+
+void Foam::bodyMotion::spread(const vectorField& F, const labelUList& groups,
+                              const staggeredTarget& force) const
+{
+    subtractMean(force, F, groups);
+    system_.markers->spread(F, perMass(force));
 }
 
 void Foam::bodyMotion::updateViscosity(const labelUList& groups)

@@ -63,7 +63,7 @@ void Foam::bodyOutput::sample()
     const Time& time = system_.mesh.time();
     for (const forceField& f : forceFields_)
     {
-        if (isLookedAt(f.field->name(), time)) *f.field = force(f.groups);
+        if (isDueFor(f.field->name(), time)) *f.field = force(f.groups);
     }
     if (!sampleDue() || lastSampled_ == stepIndex(time)) return;
 
@@ -79,8 +79,9 @@ void Foam::bodyOutput::draw()
     if (system_.interactions) system_.interactions->update();
     for (bodyGroup& group : system_.groups)
     {
+        // Pictures show the markers
         vectorField X(group.nMarkers());
-        group.markers(X.data(), 0);
+        group.placeMarkers(X.data(), 0);
     }
     for (const forceField& f : forceFields_)
     {
@@ -100,10 +101,10 @@ void Foam::bodyOutput::finish() const
     Info << "Error indicators at the end (largest over the bodies)" << nl;
     for (const bodyGroup& group : system_.groups)
     {
-        judgeIndicators(group.name(), group.report().indicators());
+        checkIndicators(group.name(), group.report().indicators());
     }
     Info << endl;
-    if (system_.interactions) system_.interactions->judge();
+    if (system_.interactions) system_.interactions->reportOverlaps();
     if (Pstream::parRun())
     {
         Info << "Bodies handed over between ranks: "

@@ -109,10 +109,14 @@ void Foam::bodyReader::readFluid()
     system_.nu.reset(new fluidViscosity(mesh, transport_, dict_));
     dictionary saved;
     fileName file;
-    const bool continues =
-        mesh.time().value() > 0 &&
-        dict_.getOrDefault<word>("restart", "continue") != "initial";
-    if (!continues || !bodyStateFile::read(mesh, saved, file)) return;
+    bool continues = false;
+    for (const entry& group : dict_.subOrEmptyDict("bodies"))
+    {
+        continues = continues || restartOf(group.keyword()) != "initial";
+    }
+    if (mesh.time().value() == 0 || !continues ||
+        !bodyStateFile::read(mesh, saved, file))
+        return;
     const dictionary before(saved.subOrEmptyDict(bodyStateFile::allGroups));
     if (system_.nu->isMean() && before.found("nu"))
     {
@@ -122,14 +126,24 @@ void Foam::bodyReader::readFluid()
     system_.firstFlow.speed = before.getOrDefault<scalar>("flowSpeed", -1);
     system_.firstFlow.rate = before.getOrDefault<scalar>("flowRate", -1);
     const dictionary loads(before.subOrEmptyDict("loads"));
-    const word all(dict_.getOrDefault<word>("restart", "continue"));
     for (const word& group : loads.toc())
     {
-        const dictionary& own =
-            dict_.subOrEmptyDict("bodies").subOrEmptyDict(group);
-        if (own.getOrDefault<word>("restart", all) != "initial")
+        if (restartOf(group) != "initial")
             system_.firstLoads.insert(group, loads.get<scalar>(group));
     }
+}
+
+Foam::word Foam::bodyReader::restartOf(const word& group) const
+{
+    const dictionary bodies(dict_.subOrEmptyDict("bodies"));
+    const word all(dict_.getOrDefault<word>("restart", "continue"));
+    for (const entry& e : bodies)
+    {
+        const word name(e.keyword());
+        if (e.isDict() && (name == group || nucleiOf(name) == group))
+            return e.dict().getOrDefault<word>("restart", all);
+    }
+    return all;
 }
 
 // Samples of many bodies at each step would cost a good part of it
@@ -227,7 +241,7 @@ void Foam::bodyReader::readLoads()
         system_.forces.append(
             bodyForce::New(load, system_.groups[g].points(-1)).ptr());
         system_.effects.declare(system_.forces.last().effect(), true, name);
-        if (system_.forces.last().looksAtStart() &&
+        if (system_.forces.last().selectsPointsAtStart() &&
             system_.groups[g].start().directions.size())
         {
             refuse(load, "type", load.get<word>("type"),

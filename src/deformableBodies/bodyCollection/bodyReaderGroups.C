@@ -34,7 +34,7 @@ void Foam::bodyReader::readGroups(const bodyScene& scene)
         checkGroup(bodies, name);
         const dictionary& group = readDict(bodies, name, "type capsule; ...");
         addGroup(name, group, scene);
-        inFluid = inFluid || !system_.groups.last().alone();
+        inFluid = inFluid || !system_.groups.last().withoutFluid();
         if (group.found("nucleus")) addNuclei(bodies, name, group, scene);
     }
     system_.withoutFluid = !inFluid;
@@ -47,14 +47,12 @@ void Foam::bodyReader::checkGroup(const dictionary& bodies,
     if (besideBodies.found(name) && !(isGroup && isGroup->found("type")))
     {
         refuse(bodies, name, valueOf(*bodies.findEntry(name)),
-               "groups of bodies; " + name +
-                   " belongs beside bodies {...}, "
-                   "not into it");
+               "groups of bodies; " + name + " belongs beside bodies {...}");
     }
     if (name == "nucleus" && isGroup && isGroup->found("radiusRatio"))
     {
         refuse(bodies, name, valueOf(*bodies.findEntry(name)),
-               "groups of bodies; nucleus belongs into a group of capsules");
+               "groups of bodies; nucleus belongs in a group of capsules");
     }
     if (bodyStateFile::reserved(name))
     {
@@ -75,8 +73,7 @@ void Foam::bodyReader::addGroup(const word& name, const dictionary& group,
     {
         if (!group.found(other)) continue;
         refuse(group, other, "{...}",
-               "groups without it; " + other +
-                   " belongs beside bodies {...}, not into a group");
+               "groups without it; " + other + " belongs beside bodies {...}");
     }
     system_.groups.append(bodyGroup::New(name, group, scene).ptr());
     given_.append(entriesOf(group, {"restart", "type", "nucleus"}));
@@ -87,7 +84,7 @@ void Foam::bodyReader::addNuclei(const dictionary& bodies, const word& name,
                                  const bodyScene& scene)
 {
     const label host = system_.groups.size() - 1;
-    const word inside(name + "Nucleus");
+    const word inside(nucleiOf(name));
     if (bodies.found(inside))
     {
         refuse(bodies, inside, valueOf(*bodies.findEntry(inside)),
@@ -105,13 +102,14 @@ void Foam::bodyReader::addNuclei(const dictionary& bodies, const word& name,
     if (!system_.groups[host].nearSources() ||
         !system_.groups.last().nearSources())
     {
-        judge(group,
-              {{"nucleus", "gap to the membrane/h",
-                reader.gap() / cmptMax(system_.grid.h()), 0, GREAT, 10, GREAT,
-                "without the near field of both (see its row in the "
-                "table of effects) the fluid in between resists too "
-                "much: D was 22 (rigid) and 42 % (capsule) low with 2 "
-                "cells, 7 and 12 % with 5"}});
+        checkRanges(
+            group,
+            {{"nucleus", "gap to the membrane/h",
+              reader.gap() / cmptMax(system_.grid.h()), 0, GREAT, 10, GREAT,
+              "without the near field of both (see its row in the "
+              "table of effects) the fluid in between resists too "
+              "much: D was 22 (rigid) and 42 % (capsule) low with 2 "
+              "cells, 7 and 12 % with 5"}});
     }
     given_.append(entriesOf(nuclei, {"type", "positions"}));
     system_.effects.declare("nucleus", true, "in group " + name);
@@ -126,7 +124,8 @@ void Foam::bodyReader::readNeighbourField(const bodyScene& scene)
     {
         if (!group.nearSources()) continue;
         nBodies += group.nBodies();
-        nuclei = nuclei || group.host() >= 0;
+        nuclei = nuclei || (group.host() >= 0 &&
+                            system_.groups[group.host()].nearSources());
     }
     const bool wanted = dict_.getOrDefault<Switch>("neighbourField", true);
     if (wanted && nBodies == 0 && dict_.found("neighbourField"))

@@ -176,12 +176,12 @@ void Foam::bodyState::compareEntries(const label g, const entryHistory& then,
     }
     if (taken.empty() && unused.empty()) return;
     const string who(all ? "All groups" : "Group " + name);
-    Info << who.c_str() << ", other than before:";
-    if (!taken.empty()) Info << ' ' << taken.c_str() << " (taken over)";
+    Info << who.c_str() << ", changed entries:";
+    if (!taken.empty()) Info << ' ' << taken.c_str() << " (used)";
     if (!unused.empty())
     {
         Info << (taken.empty() ? " " : "; ") << unused.c_str()
-             << " (of the start only: no effect, the bodies continue)";
+             << " (ignored: acts at the start only)";
     }
     Info << nl;
 }

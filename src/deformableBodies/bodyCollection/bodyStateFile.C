@@ -13,13 +13,13 @@ const Foam::word Foam::bodyStateFile::diverged("diverged");
 
 namespace
 {
-//- An error of all ranks
+//- FatalError of all ranks
 void refuseFile(const Foam::fileName& file, const Foam::string& why)
 {
     using namespace Foam;
     FatalErrorInFunction
-        << "the state of the bodies in file " << file.c_str() << ' '
-        << why.c_str() << nl << "    allowed: what a run has written to "
+        << "file " << file.c_str() << ' ' << why.c_str() << nl
+        << "    allowed: what a run has written to "
         << "it, an earlier time to start from, or restart initial in "
         << "constant/deformableBodies" << exit(FatalError);
 }
@@ -66,7 +66,9 @@ bool Foam::bodyStateFile::read(const fvMesh& mesh, dictionary& saved,
                      text.find("decomposedBlockData") == string::npos;
     if (!returnReduce(own || !Pstream::master(), andOp<bool>()))
     {
-        refuseFile(file, "is none: it was not written by deformableBodies");
+        refuseFile(
+            file,
+            "is no state of bodies: it was not written by deformableBodies");
     }
     string wrong(wrongBrackets(text));
     Pstream::scatter(wrong);

@@ -19,7 +19,7 @@ Foam::bodyGroup::bodyGroup(const word& name, const dictionary& dict,
     // Kernels do not wrap around a box of their own width
     const label least = scene.kernel.nPoints();
     const label n = cmptMin(scene.grid.n());
-    if (!alone() && n < least)
+    if (!withoutFluid() && n < least)
     {
         refuse(
             dict, "type",

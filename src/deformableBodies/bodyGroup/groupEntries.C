@@ -55,7 +55,7 @@ void Foam::groupEntries::addWeight(const bool on, const scalar excess) const
                                 : "none on the bodies");
 }
 
-bool Foam::groupEntries::isAlone() const
+bool Foam::groupEntries::isSingleBody() const
 {
     label nGroups = 0;
     for (const entry& e : dict_.parent())
@@ -90,7 +90,7 @@ Foam::groupEntries::readNearField(const string& never,
     if (wanted == "off") whyNot = "off";
     const scalar error = scene_.accuracy.wanted;
     if (wanted == "auto" && whyNot.empty() && errorWithout >= 0 &&
-        errorWithout <= 0.6 * error && isAlone())
+        errorWithout <= 0.6 * error && isSingleBody())
     {
         whyNot = "accuracy " + Foam::name(error) + " needs none";
     }

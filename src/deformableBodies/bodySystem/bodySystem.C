@@ -32,8 +32,8 @@ bool Foam::bodySystem::startsAfresh() const
     return returnReduce(any, orOp<bool>());
 }
 
-Foam::labelList Foam::bodySystem::groupsThat(const forcingType forcing,
-                                             label* nTwoWay) const
+Foam::labelList Foam::bodySystem::groupsOf(const forcingType forcing,
+                                           label* nTwoWay) const
 {
     DynamicList<label> acting, following;
     forAll(groups, g)

@@ -58,7 +58,7 @@ Foam::List<Foam::closeWarnings::encounter> Foam::closeWarnings::closest()
         bodyGroup& group = groups_[g];
         if (group.mine().empty() || group.nMarkers() == 0) continue;
         const label each = group.nMarkers() / group.mine().size();
-        group.markers(X.data() + first, 0);
+        group.placeMarkers(X.data() + first, 0);
         forAll(group.mine(), i)
         {
             std::fill_n(body.data() + first + i * each, each, group.mine()[i]);

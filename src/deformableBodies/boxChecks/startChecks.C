@@ -167,7 +167,7 @@ void Foam::startChecks::appendContinuing(const label g,
     }
 }
 
-void Foam::startChecks::judgePair(const startingBody& a, const startingBody& b)
+void Foam::startChecks::checkPair(const startingBody& a, const startingBody& b)
 {
     vector apart(b.centre - a.centre);
     const vector image(shift(grid_, apart));
@@ -235,17 +235,17 @@ void Foam::startChecks::check(const dictionary& dict)
     }
     forAll(bodies, b)
     {
-        // Each pair is judged by the rank of the second
+        // Each pair is checked by the rank of the second
         const startingBody& body = bodies[b];
         if (!groups_[body.group].mine().found(body.number)) continue;
-        const auto judgeWith = [&](const label bin)
+        const auto checkWith = [&](const label bin)
         {
             for (const label other : inBin[bin])
             {
-                if (other < b) judgePair(bodies[other], body);
+                if (other < b) checkPair(bodies[other], body);
             }
         };
-        bins.eachNext(bins.numberOf(body.centre), judgeWith);
+        bins.eachNext(bins.numberOf(body.centre), checkWith);
     }
 
     reduce(warnings_.n, sumOp<label>());

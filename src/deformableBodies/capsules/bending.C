@@ -2,7 +2,7 @@
 
 #include "bending.H"
 #include "dictionaryChecks.H"
-#include "vector.H"
+#include "gridValues.H"
 #include <cmath>
 
 namespace
@@ -79,12 +79,8 @@ template<class Point>
 void Foam::bending::each(const sphericalHarmonics& grid, const derivatives& d,
                          Point point)
 {
-    const label n = grid.nPoints();
-    const auto vectorAt = [n](const std::vector<double>& v, const label k)
-    { return vector(v[k], v[n + k], v[2 * n + k]); };
-
     pointGeometry g;
-    for (label k = 0; k < n; ++k)
+    for (label k = 0; k < grid.nPoints(); ++k)
     {
         g.x[0] = vectorAt(d.t, k);
         g.x[1] = vectorAt(d.p, k);

@@ -38,7 +38,7 @@ Foam::scalarList Foam::capsule::state() const
 {
     DynamicList<scalar> s;
     s.append(lastDeltaT);
-    for (const numbers* v :
+    for (const coefficients* v :
          {&x, &velocity, &previous, &lag, &lagBefore, &onFluid, &nearMemory})
     {
         s.append(UList<scalar>(const_cast<double*>(v->data()), v->size()));
@@ -67,7 +67,7 @@ void Foam::capsule::restore(const scalarList& state, const bool hasPrevious,
     nUnsteady = label(state[state.size() - 2]);
     const label parts = partsOf(state);
     const scalar* cursor = state.cdata() + 1;
-    const auto read = [&](const bool there, const bool wanted, numbers& v,
+    const auto read = [&](const bool there, const bool wanted, coefficients& v,
                           const label times = 1)
     {
         if (!there) return;

@@ -258,19 +258,11 @@ std::vector<Foam::errorIndicator> Foam::capsuleReport::indicators() const
     for (const auto& c : group_.capsules_)
     {
         scalar all = 0, last = 0;
-        for (label n = 1; n <= grid.degree(); ++n)
+        for (size_t i = 0; i < c.x.size(); ++i)
         {
-            scalar square = 0;
-            for (label m = 0; m <= n; ++m)
-            {
-                for (int sine = 0; sine <= (m ? 1 : 0); ++sine)
-                {
-                    const double* x = &c.x[3 * grid.index(n, m, sine)];
-                    square += x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
-                }
-            }
-            all += square;
-            if (n >= grid.degree() - 1) last += square;
+            const int n = grid.degreeOf(i / 3);
+            if (n > 0) all += sqr(c.x[i]);
+            if (n >= grid.degree() - 1) last += sqr(c.x[i]);
         }
         highest = max(highest, std::sqrt(last / all));
         change = max(change, mag(group_.shell_->measure(c.x).volume /

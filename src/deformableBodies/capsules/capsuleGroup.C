@@ -78,25 +78,20 @@ Foam::bodyPoints Foam::capsuleGroup::initialPoints(const label body) const
 Foam::boundBox Foam::capsuleGroup::bounds(const label i,
                                           const bool smallest) const
 {
-    const numbers& x = capsules_[i].x;
+    const coefficients& x = capsules_[i].x;
     if (smallest) return boundBox(capsules_[i].markers, false);
-    vector reach(Zero);
-    for (label n = 1; n <= harmonics().degree(); ++n)
+    vectorField squares(harmonics().degree() + 1, Zero);
+    for (size_t j = 0; j < x.size(); ++j)
     {
-        vector squares(Zero);
-        for (label m = 0; m <= n; ++m)
-        {
-            for (int sine = 0; sine <= (m ? 1 : 0); ++sine)
-            {
-                const double* c = &x[3 * harmonics().index(n, m, sine)];
-                const vector v(c[0], c[1], c[2]);
-                squares += cmptMultiply(v, v);
-            }
-        }
+        squares[harmonics().degreeOf(j / 3)][j % 3] += sqr(x[j]);
+    }
+    vector reach(Zero);
+    for (label n = 1; n < squares.size(); ++n)
+    {
         for (direction d = 0; d < 3; ++d)
         {
             reach[d] += std::sqrt(
-                (2 * n + 1) / (4 * constant::mathematical::pi) * squares[d]);
+                (2 * n + 1) / (4 * constant::mathematical::pi) * squares[n][d]);
         }
     }
     return boundBox(centre(i) - reach, centre(i) + reach);
@@ -112,7 +107,7 @@ Foam::label Foam::capsuleGroup::nMarkers() const
     return label(capsules_.size()) * markers_->size();
 }
 
-void Foam::capsuleGroup::markers(vector* X, scalar)
+void Foam::capsuleGroup::placeMarkers(vector* X, scalar)
 {
     for (const capsule& c : capsules_)
     {
@@ -172,14 +167,18 @@ Foam::point Foam::capsuleGroup::centreOf(const scalarList& state,
                                          const label body,
                                          const dictionary& source) const
 {
-    if (capsule::degreeOf(state) != harmonics().degree())
+    const label degree = capsule::degreeOf(state);
+    if (degree != harmonics().degree())
     {
         waitForMaster();
         FatalIOErrorInFunction(source)
             << "the saved state of body " << body << " of group " << name()
-            << " has harmonics " << capsule::degreeOf(state)
-            << " (-1: it is none of a capsule), the group "
-            << harmonics().degree() << ": was the entry harmonics changed?"
+            << (degree < 0
+                    ? string(" is not that of a capsule")
+                    : " has harmonics " + Foam::name(degree) + ", the group " +
+                          Foam::name(harmonics().degree()) +
+                          ": was the entry harmonics changed?")
+                   .c_str()
             << exit(FatalIOError);
     }
     return capsule::centreOf(state);

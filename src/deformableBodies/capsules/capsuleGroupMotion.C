@@ -3,18 +3,19 @@
 // How the capsules of a group move with the fluid, and their forces on it
 
 #include "capsuleGroup.H"
+#include "stepRatio.H"
 
 namespace
 {
 using namespace Foam;
-using numbers = capsule::numbers;
+using coefficients = capsule::coefficients;
 
 //- Change the velocity v so that the enclosed volume comes back to `volume`, by a tenth of
 //  what it lacks in a step: INT v.n dS = g.v, with g the gradient of the volume
 void keepVolume(const capsule& c, const scalar volume, const scalar dt,
-                numbers& v)
+                coefficients& v)
 {
-    const numbers& g = c.volumeGradient;
+    const coefficients& g = c.volumeGradient;
     double gv = 0, gg = 0;
     for (size_t j = 0; j < g.size(); ++j)
     {
@@ -30,7 +31,7 @@ void keepVolume(const capsule& c, const scalar volume, const scalar dt,
 
 //- Restore the volume of a shape along its gradient g, if it is off by more than 1e-4, as after
 //  a large first step
-bool restoreVolume(const numbers& g, const scalar volume, numbers& x)
+bool restoreVolume(const coefficients& g, const scalar volume, coefficients& x)
 {
     double now = 0, gg = 0;
     for (size_t j = 0; j < g.size(); ++j)
@@ -48,8 +49,8 @@ bool restoreVolume(const numbers& g, const scalar volume, numbers& x)
 
 //- Coefficients of the shape after dt, by Adams-Bashforth 2: x + dt ((1 + r/2) v - r/2 v_last).
 //  v: velocity; r: dt over the last step. False if some are not finite
-bool extrapolate(const capsule& c, const numbers& v, const scalar dt,
-                 const double r, numbers& next)
+bool extrapolate(const capsule& c, const coefficients& v, const scalar dt,
+                 const double r, coefficients& next)
 {
     bool finite = true;
     for (size_t j = 0; j < next.size(); ++j)
@@ -64,7 +65,7 @@ bool extrapolate(const capsule& c, const numbers& v, const scalar dt,
 } // namespace
 
 void Foam::capsuleGroup::addNearField(const label i, const bodyStep& s,
-                                      numbers& velocity)
+                                      coefficients& velocity)
 {
     const auto timing(scene_.effects.time("nearField"));
     capsule& c = capsules_[i];
@@ -87,7 +88,7 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
     const scalar dt = s.dt;
     const auto timing(scene_.effects.time("membrane"));
     const label n = markers_->size();
-    numbers next(initial_.size()), velocity(next.size());
+    coefficients next(initial_.size()), velocity(next.size());
     string trouble;
 
     for (size_t i = 0; i < capsules_.size(); ++i, U += n)
@@ -96,7 +97,7 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
         markers_->analysis(U, velocity.data());
         if (nearField_) addNearField(i, s, velocity);
         keepVolume(c, referenceVolume_, dt, velocity);
-        const double r = c.stepRatio(dt);
+        const double r = stepRatio(dt, c.lastDeltaT);
         const bool finite = extrapolate(c, velocity, dt, r, next);
         if (finite) motion_->correct(c, next, dt, r, referenceVolume_);
         for (size_t j = 0; j < filter_.size(); ++j)
@@ -151,7 +152,7 @@ void Foam::capsuleGroup::startAt(capsule& c) const
 // By the harmonics of degree 1 and higher: without translation
 Foam::string Foam::capsuleGroup::unsteady(const label i,
                                           const scalar displacement,
-                                          const numbers& velocity,
+                                          const coefficients& velocity,
                                           const scalar dt)
 {
     capsule& c = capsules_[i];
@@ -174,7 +175,7 @@ Foam::string Foam::capsuleGroup::unsteady(const label i,
                                c.nUnsteady);
 }
 
-Foam::scalar Foam::capsuleGroup::moveTo(capsule& c, const numbers& x) const
+Foam::scalar Foam::capsuleGroup::moveTo(capsule& c, const coefficients& x) const
 {
     for (size_t j = 0; j < x.size(); ++j)
     {
@@ -256,7 +257,7 @@ void Foam::capsuleGroup::setNearSources(capsule& c) const
 // Forces have the solid angles in them, and the opposite sign of loads
 void Foam::capsuleGroup::nearLoad(capsule& c, const vector* F) const
 {
-    numbers now;
+    coefficients now;
     shell_->load(c.x, now);
     c.onFluid.resize(now.size());
     markers_->valuesAdjoint(F, c.onFluid.data());

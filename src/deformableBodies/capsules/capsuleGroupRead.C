@@ -3,6 +3,7 @@
 #include "capsuleGroup.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
+#include "gridValues.H"
 #include "capsuleReport.H"
 #include "initialShape.H"
 #include "rangeCheck.H"
@@ -32,7 +33,7 @@ Foam::scalar furthest(const Foam::sphericalHarmonics& grid,
     scalar extent = 0;
     for (label k = 0; k < n; ++k)
     {
-        extent = max(extent, mag(vector(x[k], x[n + k], x[2 * n + k])));
+        extent = max(extent, mag(vectorAt(x, k)));
     }
     return extent;
 }
@@ -63,17 +64,10 @@ std::vector<double> readFilter(const Foam::dictionary& dict,
 
     const label degree = grid.degree();
     std::vector<double> filter(3 * grid.nCoeffs());
-    for (label n = 0; n <= degree; ++n)
+    for (size_t i = 0; i < filter.size(); ++i)
     {
-        const double f = std::exp(-strength * std::pow(double(n) / degree, 8));
-        for (label m = 0; m <= n; ++m)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                filter[3 * grid.index(n, m, false) + d] = f;
-                if (m) filter[3 * grid.index(n, m, true) + d] = f;
-            }
-        }
+        const double n = grid.degreeOf(i / 3);
+        filter[i] = std::exp(-strength * std::pow(n / degree, 8));
     }
     return filter;
 }
@@ -91,7 +85,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
                   "viscosityRatio", "prestress",  "gravity",   "densityRatio",
                   "stressFree",     "motion",     "thickness", "filter",
                   "nearField",      "restart",    "outside",   "nucleus"});
-    if (alone())
+    if (withoutFluid())
     {
         refuse(dict, "coupling", "none",
                "oneWay or twoWay: capsules move with the fluid");
@@ -139,7 +133,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     filter_ = readFilter(dict, harmonics());
     warnOfHarmonics(dict, degree, meshDegree);
     readStart(dict);
-    judgeSize(dict);
+    checkSize(dict);
 
     declareEffects(dict);
 }
@@ -208,11 +202,11 @@ void Foam::capsuleGroup::makeMarkers(const dictionary& dict, const label degree,
                "sizes below " + Foam::name(extent * 1000 / nTheta) +
                    " on this mesh (1000 rings of markers)");
     }
-    markers_.reset(new surfacePoints(degree, nTheta));
+    markers_.reset(new surfacePoints(degree, nTheta, degree));
     markerSpacing_ = around / markers_->grid().nTheta();
 }
 
-Foam::capsuleGroup::numbers
+Foam::capsuleGroup::coefficients
 Foam::capsuleGroup::stressFree(const dictionary& dict,
                                const sphericalHarmonics& fine) const
 {
@@ -222,7 +216,7 @@ Foam::capsuleGroup::stressFree(const dictionary& dict,
     {
         refuse(dict, "prestress", Foam::name(prestress), "greater than -1");
     }
-    numbers shape(initial_);
+    coefficients shape(initial_);
     if (dict.found("stressFree"))
     {
         const dictionary& free =
@@ -273,7 +267,7 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
     // Reason why the near field is not known to be better than none, or empty
     const scalar h = scene_.grid.h().x();
     const scalar inertia =
-        scene_.rho * shell_->stiffness() * sqr(h / scene_.mu) / radius_;
+        scene_.rho * shell_->inertialModulus() * sqr(h / scene_.mu) / radius_;
     string unknown;
     if (inertia > maxInertia)
         unknown = "rho K h^2/(mu^2 a) = " + Foam::name(inertia) +

@@ -4,6 +4,7 @@
 
 #include "capsuleGroup.H"
 #include "dictionaryChecks.H"
+#include "gridValues.H"
 #include "initialShape.H"
 #include "rangeCheck.H"
 #include "turnTo.H"
@@ -20,12 +21,11 @@ Foam::scalar volumeOf(const Foam::sphericalHarmonics& grid,
     std::vector<double> x(3 * n), t(3 * n), p(3 * n);
     grid.values(coeffs.data(), x.data());
     grid.gradient(coeffs.data(), t.data(), p.data());
-    const auto at = [n](const std::vector<double>& v, const label k)
-    { return vector(v[k], v[n + k], v[2 * n + k]); };
     scalar volume = 0;
     for (label k = 0; k < n; ++k)
     {
-        volume += grid.weight(k) / 3 * (at(x, k) & (at(t, k) ^ at(p, k)));
+        volume += grid.weight(k) / 3 *
+                  (vectorAt(x, k) & (vectorAt(t, k) ^ vectorAt(p, k)));
     }
     return mag(volume);
 }
@@ -40,14 +40,14 @@ void Foam::capsuleGroup::readStart(const dictionary& dict)
         dict.subDict("shape").getOrDefault<vector>("axis", vector(0, 0, 1)));
     axis_ = axis / mag(axis);
     const sphericalHarmonics grid(32, 66);
-    const numbers shape(initialShape(dict.subDict("shape"), grid));
+    const coefficients shape(initialShape(dict.subDict("shape"), grid));
     const label n = grid.nPoints();
-    numbers x(3 * n);
+    coefficients x(3 * n);
     grid.values(shape.data(), x.data());
     vectorField X(n);
     forAll(X, k)
     {
-        X[k] = turnTo(axis_).T() & vector(x[k], x[n + k], x[2 * n + k]);
+        X[k] = turnTo(axis_).T() & vectorAt(x, k);
     }
     vector semiAxes(Zero);
     for (const vector& x : X)
@@ -75,12 +75,11 @@ Foam::label Foam::capsuleGroup::degreeOfMesh(const dictionary& shape) const
     const sphericalHarmonics grid(12, 26);
     const scalar volume = volumeOf(grid, initialShape(shape, grid));
     const scalar a = std::cbrt(0.75 / constant::mathematical::pi * volume);
-    return max(
-        label(round_ ? 6 : 12),
-        label(min(scalar(64), 2.4 * a / cmptMax(scene_.grid.h()) + 0.5)));
+    const scalar byCells = 2.4 * a / cmptMax(scene_.grid.h()) * (1 + 1e-6);
+    return max(label(round_ ? 6 : 12), label(min(scalar(64), byCells + 0.5)));
 }
 
-void Foam::capsuleGroup::judgeSize(const dictionary& dict) const
+void Foam::capsuleGroup::checkSize(const dictionary& dict) const
 {
     const label n = markers_->size();
     vectorField X(n);
@@ -117,7 +116,7 @@ void Foam::capsuleGroup::judgeSize(const dictionary& dict) const
                            "a capsule in a periodic box acts on itself"});
         }
     }
-    judge(dict, ratios);
+    checkRanges(dict, ratios);
 }
 
 void Foam::capsuleGroup::declareEffects(const dictionary& dict) const

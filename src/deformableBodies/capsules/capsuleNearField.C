@@ -15,7 +15,8 @@ Foam::capsuleNearField::capsuleNearField(const label degree,
 {
     const auto make = [&](const label latitudes)
     {
-        const surfacePoints points(degree, latitudes);
+        const surfacePoints points(degree, latitudes,
+                                   min(degree, label(fullDegree) + 1));
         const scalar spacing = pi * extent / points.grid().nTheta();
         return new pointSum{points,
                             nearField(kernel, h, mu, max(h, 1.35 * spacing))};
@@ -23,17 +24,7 @@ Foam::capsuleNearField::capsuleNearField(const label degree,
     const label byCells = std::ceil(pi * extent / (1.4 * h));
     usual_.reset(make(nTheta ? nTheta : max(label(12), byCells)));
     if (!nTheta && byCells < 16) stretched_.reset(make(16));
-    const sphericalHarmonics& grid = harmonics();
-    taper_.resize(grid.nCoeffs());
-    degree_.resize(grid.nCoeffs());
-    for (label n = 0; n <= grid.degree(); ++n)
-    {
-        for (label m = 0; m <= n; ++m)
-        {
-            degree_[grid.index(n, m, false)] =
-                degree_[grid.index(n, m, m > 0)] = n;
-        }
-    }
+    taper_.resize(harmonics().nCoeffs());
     setTaper(fullDegree);
 }
 
@@ -51,7 +42,7 @@ void Foam::capsuleNearField::setTaper(const scalar degree)
     reduced_ = degree < fullDegree;
     for (size_t i = 0; i < taper_.size(); ++i)
     {
-        taper_[i] = std::exp(-std::pow(degree_[i] / degree, 8));
+        taper_[i] = std::exp(-std::pow(harmonics().degreeOf(i) / degree, 8));
     }
 }
 
@@ -170,7 +161,7 @@ void Foam::capsuleNearField::add(const double* x, const double* load,
         double* w = memory.data() + (1 + j) * n;
         for (size_t i = 0; i < n; ++i)
         {
-            const int k = degree_[i / 3];
+            const int k = harmonics().degreeOf(i / 3);
             w[i] = keep[k] * w[i] + (mean[k] - keep[k]) * memory[i] +
                    (1 - mean[k]) * slow[i];
             sum[i] += w[i] / nRates;

@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "capsuleReport.H"
+#include "gridValues.H"
 #include <Eigen/Eigenvalues>
 
 Foam::string Foam::capsuleReport::describe() const
@@ -129,7 +130,7 @@ Foam::bodySurface Foam::capsuleReport::surface(const label i) const
         vectorField v(n);
         for (label k = 0; k < n; ++k)
         {
-            v[k] = vector(values[k], values[n + k], values[2 * n + k]);
+            v[k] = vectorAt(values, k);
         }
         return v;
     };
@@ -152,9 +153,7 @@ Foam::bodySurface Foam::capsuleReport::surface(const label i) const
     grid.gradient(c.x.data(), xt.data(), xp.data());
     for (label k = 0; k < n; ++k)
     {
-        const vector t(xt[k], xt[n + k], xt[2 * n + k]);
-        const vector p(xp[k], xp[n + k], xp[2 * n + k]);
-        const scalar perAngle = mag(t ^ p);
+        const scalar perAngle = mag(vectorAt(xt, k) ^ vectorAt(xp, k));
         s.vectors[1][k] /= perAngle;
         s.scalars[3][k] = grid.weight(k) * perAngle;
     }

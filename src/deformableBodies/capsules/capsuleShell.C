@@ -2,20 +2,11 @@
 
 #include "capsuleShell.H"
 #include "dictionaryChecks.H"
-
-namespace
-{
-//- Vector k of an array of n first, then second, then third components
-inline Foam::vector vectorOf(const std::vector<double>& v, const Foam::label n,
-                             const Foam::label k)
-{
-    return Foam::vector(v[k], v[n + k], v[2 * n + k]);
-}
-} // namespace
+#include "gridValues.H"
 
 Foam::capsuleShell::capsuleShell(const label degree, const scalar dealiasing,
                                  const dictionary& dict,
-                                 const numbers& stressFree,
+                                 const coefficients& stressFree,
                                  effectTable& effects)
     : membrane_(degree, label(dealiasing * degree) + 1,
                 readDict(dict, "membrane", "law neoHookean; Gs 1e-6;"),
@@ -29,7 +20,7 @@ Foam::capsuleShell::capsuleShell(const label degree, const scalar dealiasing,
 
 void Foam::capsuleShell::readBending(const dictionary& dict,
                                      const scalar radius,
-                                     const numbers& initial)
+                                     const coefficients& initial)
 {
     const dictionary& bend =
         readDictIfPresent(dict, "bending", "modulus 1e-19;");
@@ -48,7 +39,8 @@ void Foam::capsuleShell::readBending(const dictionary& dict,
     }
 }
 
-Foam::capsuleShell::geometry Foam::capsuleShell::measure(const numbers& x) const
+Foam::capsuleShell::geometry
+Foam::capsuleShell::measure(const coefficients& x) const
 {
     grid().gradient(x.data(), xt_.data(), xp_.data());
     geometry m{0, 0, Zero, Zero};
@@ -57,26 +49,25 @@ Foam::capsuleShell::geometry Foam::capsuleShell::measure(const numbers& x) const
 }
 
 Foam::capsuleShell::geometry
-Foam::capsuleShell::measureLast(const numbers& x) const
+Foam::capsuleShell::measureLast(const coefficients& x) const
 {
     geometry m{0, 0, Zero, Zero};
     measure(x, membrane_.xTheta(), membrane_.xPhi(), m);
     return m;
 }
 
-void Foam::capsuleShell::measure(const numbers& x, const numbers& xt,
-                                 const numbers& xp, geometry& m) const
+void Foam::capsuleShell::measure(const coefficients& x, const coefficients& xt,
+                                 const coefficients& xp, geometry& m) const
 {
     const label n = grid().nPoints();
     grid().values(x.data(), onGrid_.data());
 
     // Relative to a point of the surface: no digits are lost far from 0
-    const vector origin(vectorOf(onGrid_, n, 0));
+    const vector origin(vectorAt(onGrid_, 0));
     for (label k = 0; k < n; ++k)
     {
-        const vector r(vectorOf(onGrid_, n, k) - origin);
-        const vector dS(grid().weight(k) *
-                        (vectorOf(xt, n, k) ^ vectorOf(xp, n, k)));
+        const vector r(vectorAt(onGrid_, k) - origin);
+        const vector dS(grid().weight(k) * (vectorAt(xt, k) ^ vectorAt(xp, k)));
         const scalar flux = r & dS;
         m.area += mag(dS);
         m.volume += flux / 3;
@@ -89,21 +80,19 @@ void Foam::capsuleShell::measure(const numbers& x, const numbers& xt,
 }
 
 Foam::capsuleShell::motion
-Foam::capsuleShell::motionLast(const numbers& x, const numbers& v,
+Foam::capsuleShell::motionLast(const coefficients& x, const coefficients& v,
                                const vector& X, const scalar volume) const
 {
     const label n = grid().nPoints();
-    const numbers &xt = membrane_.xTheta(), &xp = membrane_.xPhi();
-    numbers velocities(onGrid_.size());
+    const coefficients &xt = membrane_.xTheta(), &xp = membrane_.xPhi();
+    coefficients velocities(onGrid_.size());
     grid().values(x.data(), onGrid_.data());
     grid().values(v.data(), velocities.data());
     vector flux(Zero), swirl(Zero), inertia(Zero), first(Zero);
     for (label k = 0; k < n; ++k)
     {
-        const vector r(vectorOf(onGrid_, n, k) - X),
-            u(vectorOf(velocities, n, k));
-        const vector dS(grid().weight(k) *
-                        (vectorOf(xt, n, k) ^ vectorOf(xp, n, k)));
+        const vector r(vectorAt(onGrid_, k) - X), u(vectorAt(velocities, k));
+        const vector dS(grid().weight(k) * (vectorAt(xt, k) ^ vectorAt(xp, k)));
         const vector squares(cmptMultiply(r, r));
         flux += (u & dS) * r;
         swirl += mag(dS) * (r ^ u);
@@ -116,14 +105,16 @@ Foam::capsuleShell::motionLast(const numbers& x, const numbers& v,
     return {velocity, cmptDivide(swirl, inertia)};
 }
 
-void Foam::capsuleShell::volumeGradient(const numbers& x, numbers& g) const
+void Foam::capsuleShell::volumeGradient(const coefficients& x,
+                                        coefficients& g) const
 {
     grid().gradient(x.data(), xt_.data(), xp_.data());
     volumeGradient(xt_, xp_, g);
 }
 
-void Foam::capsuleShell::volumeGradient(const numbers& xt, const numbers& xp,
-                                        numbers& g) const
+void Foam::capsuleShell::volumeGradient(const coefficients& xt,
+                                        const coefficients& xp,
+                                        coefficients& g) const
 {
     const label n = grid().nPoints();
     g.resize(3 * grid().nCoeffs());
@@ -138,7 +129,7 @@ void Foam::capsuleShell::volumeGradient(const numbers& xt, const numbers& xp,
     grid().analysis(onGrid_.data(), g.data());
 }
 
-void Foam::capsuleShell::load(const numbers& x, numbers& q) const
+void Foam::capsuleShell::load(const coefficients& x, coefficients& q) const
 {
     q.resize(x.size());
     membrane_.load(x.data(), q.data());
@@ -149,7 +140,7 @@ void Foam::capsuleShell::load(const numbers& x, numbers& q) const
     }
 }
 
-Foam::string Foam::capsuleShell::check(const numbers& x) const
+Foam::string Foam::capsuleShell::check(const coefficients& x) const
 {
     const membrane::extremes e(membrane_.stretches(x.data()));
     if (!(e.stretch < 50))
@@ -160,7 +151,7 @@ Foam::string Foam::capsuleShell::check(const numbers& x) const
     {
         grid().values(x.data(), onGrid_.data());
         OStringStream where;
-        where << vectorOf(onGrid_, grid().nPoints(), e.where);
+        where << vectorAt(onGrid_, e.where);
         return "the membrane collapses at " + where.str() + ": its area is " +
                Foam::name(e.area) + " of the stress-free one, limit 0.01";
     }

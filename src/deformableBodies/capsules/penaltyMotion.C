@@ -27,7 +27,7 @@ Foam::penaltyMotion::penaltyMotion(const setting& s,
 
 void Foam::penaltyMotion::start(capsule& c) const
 {
-    if (c.lag.empty()) c.lagBefore = c.lag = numbers(c.x.size(), 0);
+    if (c.lag.empty()) c.lagBefore = c.lag = coefficients(c.x.size(), 0);
     if (!c.load.empty()) return;
 
     // The part of the end of the last step
@@ -40,26 +40,34 @@ void Foam::penaltyMotion::start(capsule& c) const
 }
 
 void Foam::penaltyMotion::beforeMove(capsule& c, const scalar dt,
-                                     const scalar ratio) const
+                                     const scalar) const
 {
     const auto timing(effects_.time("penalty"));
-    numbers elastic(c.x);
+
+    // The stiffness of the spring is as 1/dt^2: the lag that carries the same force
+    const double same = c.lastDeltaT > 0 ? sqr(dt / c.lastDeltaT) : 1;
+    for (size_t j = 0; j < c.lag.size(); ++j)
+    {
+        c.lag[j] *= same;
+        c.lagBefore[j] *= same;
+    }
+    coefficients elastic(c.x);
     for (size_t j = 0; j < elastic.size(); ++j)
     {
         elastic[j] += c.lag[j];
     }
     shell_.load(elastic, c.load);
-    advance(mass_, c.lag, c.lagBefore, c.load, dt, ratio);
+    advance(mass_, c.lag, c.lagBefore, c.load, dt);
 }
 
-void Foam::penaltyMotion::advance(const scalar mass, numbers& lag,
-                                  numbers& before, numbers& load,
-                                  const scalar dt, const scalar ratio)
+void Foam::penaltyMotion::advance(const scalar mass, coefficients& lag,
+                                  coefficients& before, coefficients& load,
+                                  const scalar dt)
 {
     const double toLag = dt * dt / mass;
     for (size_t j = 0; j < lag.size(); ++j)
     {
-        const double change = ratio * (lag[j] - before[j]);
+        const double change = lag[j] - before[j];
         const double force = share_ * (lag[j] + change);
         before[j] = lag[j];
         lag[j] += change - toLag * load[j] - force;

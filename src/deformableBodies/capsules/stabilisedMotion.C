@@ -8,10 +8,11 @@
 namespace
 {
 using namespace Foam;
-using numbers = capsule::numbers;
+using coefficients = capsule::coefficients;
 
 //- Linear part of a shape: columns are the coefficients of Y_1m
-Eigen::Matrix3d linearPart(const sphericalHarmonics& grid, const numbers& x)
+Eigen::Matrix3d linearPart(const sphericalHarmonics& grid,
+                           const coefficients& x)
 {
     Eigen::Matrix3d A;
     const int of[3] = {grid.index(1, 1, false), grid.index(1, 1, true),
@@ -85,8 +86,9 @@ Foam::stabilisedMotion::stabilisedMotion(const setting& s, const waves& rates)
 {
 }
 
-Foam::capsuleMotion::numbers
-Foam::stabilisedMotion::extrapolate(const numbers& x, const numbers& previous,
+Foam::capsuleMotion::coefficients
+Foam::stabilisedMotion::extrapolate(const coefficients& x,
+                                    const coefficients& previous,
                                     const double ratio) const
 {
     if (previous.empty()) return x;
@@ -95,7 +97,7 @@ Foam::stabilisedMotion::extrapolate(const numbers& x, const numbers& previous,
     const Eigen::Matrix3d full(q.toRotationMatrix());
     const Eigen::Matrix3d part(
         Eigen::AngleAxisd(ratio * q.angle(), q.axis()).toRotationMatrix());
-    numbers target(previous);
+    coefficients target(previous);
     for (int i = 0; i < harmonics_.nCoeffs(); ++i)
     {
         double* t = target.data() + 3 * i;
@@ -109,12 +111,12 @@ Foam::stabilisedMotion::extrapolate(const numbers& x, const numbers& previous,
     return target;
 }
 
-void Foam::stabilisedMotion::correct(const capsule& c, numbers& x,
+void Foam::stabilisedMotion::correct(const capsule& c, coefficients& x,
                                      const scalar dt, const scalar ratio,
                                      const scalar volume) const
 {
     const auto timing(effects_.time("stabilised"));
-    const numbers target(extrapolate(c.x, c.previous, ratio));
+    const coefficients target(extrapolate(c.x, c.previous, ratio));
     for (int i = 0; i < harmonics_.nCoeffs(); ++i)
     {
         const int n = harmonics_.degreeOf(i);
@@ -129,10 +131,10 @@ void Foam::stabilisedMotion::correct(const capsule& c, numbers& x,
     restoreVolume(x, dt, volume);
 }
 
-void Foam::stabilisedMotion::restoreVolume(numbers& x, const scalar dt,
+void Foam::stabilisedMotion::restoreVolume(coefficients& x, const scalar dt,
                                            const scalar enclosed) const
 {
-    numbers g(x.size());
+    coefficients g(x.size());
     for (int newton = 0; newton < 2; ++newton)
     {
         shell_.volumeGradient(x, g);
@@ -140,7 +142,7 @@ void Foam::stabilisedMotion::restoreVolume(numbers& x, const scalar dt,
             std::inner_product(x.begin(), x.end(), g.begin(), 0.0) / 3;
         const double lack = enclosed - volume;
         double square = 0;
-        numbers step(g);
+        coefficients step(g);
         for (int i = 0; i < harmonics_.nCoeffs(); ++i)
         {
             const int n = harmonics_.degreeOf(i);

@@ -4,7 +4,8 @@
 #include "patchOrder.H"
 #include <cmath>
 
-Foam::surfacePoints::surfacePoints(const label degree, const label nTheta)
+Foam::surfacePoints::surfacePoints(const label degree, const label nTheta,
+                                   const label exact)
     : grid_(degree, nTheta),
       onGrid_(3 * grid_.nPoints())
 {
@@ -18,7 +19,7 @@ Foam::surfacePoints::surfacePoints(const label degree, const label nTheta)
         label step = 1;
         for (label s = 2; s * sine < 1.15 && s < nPhi; ++s)
         {
-            if (nPhi % (2 * s) == 0) step = s;
+            if (nPhi % (2 * s) == 0 && nPhi / s > exact + 1) step = s;
         }
         for (label j = 0; j < nPhi; ++j, ++k)
         {

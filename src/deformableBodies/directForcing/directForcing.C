@@ -3,8 +3,8 @@
 #include "directForcing.H"
 
 Foam::vectorField
-Foam::directForcing::forcedMarkers::change(const vector* now,
-                                           const bool firstStep)
+Foam::directForcing::forcedMarkers::takeVelocity(const vector* now,
+                                                 const bool firstStep)
 {
     vectorField difference(U.size(), Zero);
     forAll(U, k)

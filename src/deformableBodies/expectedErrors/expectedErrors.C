@@ -122,7 +122,7 @@ Foam::scalar Foam::stepFor(expectedErrors& group, const scalar wanted)
     return deltaT;
 }
 
-void Foam::judgeErrors(const List<expectedErrors>& errors, const scalar wanted,
+void Foam::checkErrors(const List<expectedErrors>& errors, const scalar wanted,
                        const fileName& file)
 {
     const dictionary dict(file);
@@ -189,7 +189,7 @@ void Foam::judgeErrors(const List<expectedErrors>& errors, const scalar wanted,
     Info << endl;
 }
 
-void Foam::judgeIndicators(const word& group,
+void Foam::checkIndicators(const word& group,
                            std::vector<errorIndicator> indicators)
 {
     std::ostringstream line;

@@ -2,6 +2,7 @@
 
 #include "filament.H"
 #include "filamentNewton.H"
+#include "stepRatio.H"
 #include <cmath>
 
 const int Foam::filament::nLanes = vectorLength;
@@ -62,7 +63,7 @@ Foam::vector Foam::filament::heldPosition(const label i, const scalar dt) const
 
 void Foam::filament::ahead(const scalar dt, vectorField& X) const
 {
-    const scalar r = stepRatio(dt);
+    const scalar r = stepRatio(dt, lastDeltaT_);
     X.setSize(X_.size());
     forAll(X, i)
     {

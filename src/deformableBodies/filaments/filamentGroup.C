@@ -196,7 +196,7 @@ void Foam::filamentGroup::restore(body& x, const label number,
     x.start = held[2];
 }
 
-void Foam::filamentGroup::judgeSize(const dictionary& dict) const
+void Foam::filamentGroup::checkSize(const dictionary& dict) const
 {
     const scalar diameter =
         std::sqrt(4 / constant::mathematical::pi * crossSection_);
@@ -219,7 +219,7 @@ void Foam::filamentGroup::judgeSize(const dictionary& dict) const
                        ", or coupling oneWay, where drag is that of the "
                        "diameter"});
     }
-    judge(dict, ratios);
+    checkRanges(dict, ratios);
 }
 
 Foam::scalar Foam::filamentGroup::fastest() const
@@ -249,10 +249,10 @@ void Foam::filamentGroup::recordSlip(const vector* U)
         }
         U += markersEach();
     }
-    if (steps_ >= 10 && !slipped_) judgeSlip();
+    if (steps_ >= 10 && !slipped_) checkSlip();
 }
 
-void Foam::filamentGroup::judgeSlip()
+void Foam::filamentGroup::checkSlip()
 {
     reduce(largestSpeed_, maxOp<scalar>());
     label worst = -1;

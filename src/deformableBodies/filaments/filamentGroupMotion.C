@@ -11,9 +11,9 @@ Foam::label Foam::filamentGroup::nMarkers() const
 }
 
 // Positions extrapolated to the end of the step
-void Foam::filamentGroup::markers(vector* X, const scalar dt)
+void Foam::filamentGroup::placeMarkers(vector* X, const scalar dt)
 {
-    if (alone()) return;
+    if (withoutFluid()) return;
     vectorField ahead;
     for (body& x : bodies_)
     {
@@ -101,7 +101,7 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
     {
         x.line.moveEnd(movedEnd(), x.start + base_->value(s.time));
     }
-    const vectorField change(x.change(U, !x.line.started()));
+    const vectorField change(x.takeVelocity(U, !x.line.started()));
     for (label k = 0; k < n; ++k)
     {
         around.U[k] = U[k];

@@ -58,7 +58,7 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
     readMass(dict);
     readCoupling(dict);
     readStart(dict);
-    judgeSize(dict);
+    checkSize(dict);
 
     const scalar fraction = nBodies() * properties_.length * 0.25 *
                             constant::mathematical::pi * sqr(thickness_) /
@@ -135,11 +135,11 @@ void Foam::filamentGroup::readMass(const dictionary& dict)
     }
     properties_.mass =
         (ratio - (twoWay() ? 1 : 0)) * crossSection_ * scene_.rho;
-    swings_ = alone() && entries.gravity();
-    entries.addWeight(entries.gravity(), ratio - (alone() ? 0 : 1));
+    swings_ = withoutFluid() && entries.gravity();
+    entries.addWeight(entries.gravity(), ratio - (withoutFluid() ? 0 : 1));
     properties_.scheme =
         readEnum(schemeNames, dict, "scheme", filament::IMPLICIT);
-    if (!alone() && properties_.scheme != filament::IMPLICIT)
+    if (!withoutFluid() && properties_.scheme != filament::IMPLICIT)
     {
         refuse(dict, "scheme", schemeNames[properties_.scheme],
                "implicit, or coupling none");
@@ -162,18 +162,18 @@ void Foam::filamentGroup::readStart(const dictionary& dict)
             .start({(0.5 * thickness_ + mag(bow_)) * vector::one, 0.5 * L0},
                    L0 * 0.25 * constant::mathematical::pi * sqr(thickness_),
                    -0.5 * L0, vector(1, 0, 0), twoWay());
-    const vector L(scene_.grid.length());
+    scalar shortest = GREAT;
     for (direction d = 0; d < 3; ++d)
     {
-        if (scene_.grid.periodic(d) && properties_.length > 0.5 * L[d])
-        {
-            IOWarningInFunction(dict)
-                << "filaments of length " << properties_.length
-                << " in a periodic box of " << L[d] << " in direction "
-                << vector::componentNames[d]
-                << ": they meet their own images; keep below half the box"
-                << endl;
-        }
+        if (scene_.grid.periodic(d))
+            shortest = min(shortest, scene_.grid.length()[d]);
+    }
+    if (properties_.length > 0.5 * shortest)
+    {
+        IOWarningInFunction(dict)
+            << "filaments of length " << properties_.length
+            << " in a periodic box of " << shortest
+            << ": they meet their own images; keep below half the box" << endl;
     }
     const bool heldAtBoth = properties_.ends[0] != filament::FREE &&
                             properties_.ends[1] != filament::FREE;
@@ -203,7 +203,7 @@ void Foam::filamentGroup::readStart(const dictionary& dict)
 void Foam::filamentGroup::readCoupling(const dictionary& dict)
 {
     properties_.dragRatio = 1;
-    if (alone()) return;
+    if (withoutFluid()) return;
 
     // In cells that are not cubes the effective diameter depends on the direction
     const scalar stretch = cmptMax(scene_.grid.h()) / cmptMin(scene_.grid.h());

@@ -4,6 +4,7 @@
 #include "quietEigen.H"
 
 #include "filamentNewton.H"
+#include "stepRatio.H"
 
 namespace
 {
@@ -91,7 +92,7 @@ void Foam::filamentNewton<Lanes>::extrapolate(const scalar dt,
     lanes c1, c2, r;
     for (int l = 0; l < Lanes; ++l)
     {
-        r[l] = lines[min(l, n - 1)]->stepRatio(dt);
+        r[l] = stepRatio(dt, lines[min(l, n - 1)]->lastDeltaT_);
         c0_[l] = (1 + 2 * r[l]) / ((1 + r[l]) * dt);
         c1[l] = -(1 + r[l]) / dt;
         c2[l] = sqr(r[l]) / ((1 + r[l]) * dt);

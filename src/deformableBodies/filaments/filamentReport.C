@@ -17,7 +17,7 @@ Foam::string Foam::filamentReport::describe() const
        << L / group_.thickness_ << ", volume fraction "
        << group_.nBodies() * L * 0.25 * constant::mathematical::pi *
               sqr(group_.thickness_) / cmptProduct(group_.scene_.grid.length());
-    if (group_.alone()) return os.str();
+    if (group_.withoutFluid()) return os.str();
     const scalar nL3 =
         group_.nBodies() * pow3(L) / cmptProduct(group_.scene_.grid.length());
     os << ", n L^3 " << nL3

@@ -11,8 +11,9 @@ Foam::thicknessCouple::thicknessCouple(const label segments, const scalar ds,
                                        const scalar inset, const scalar K,
                                        const scalar h)
     : segments_(segments),
-      stations_(
-          min(segments, max(label(1), label(segments * ds / (6 * h) + 0.5)))),
+      stations_(min(
+          segments,
+          max(label(1), label(segments * ds / (6 * h) * (1 + 1e-6) + 0.5)))),
       ds_(ds),
       radius_(1.5 * h),
       K_(segments)

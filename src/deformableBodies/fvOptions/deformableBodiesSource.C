@@ -5,7 +5,6 @@
 #include "bodyCollection.H"
 #include "dictionaryChecks.H"
 #include "fvMatrices.H"
-#include "rangeCheck.H"
 
 namespace Foam
 {
@@ -58,10 +57,11 @@ Foam::fv::deformableBodiesSource::deformableBodiesSource(const word& name,
     }
     for (const word controls : {"PIMPLE", "PISO"})
     {
-        if (!bodies_.system().solverBalances && bodies_.system().twoWay() &&
+        if (!bodies_.system().solverBalances &&
             mesh.solutionDict().found(controls))
         {
-            judgeCorrectors(mesh.solutionDict().subDict(controls));
+            bodies_.limits().checkCorrectors(
+                mesh.solutionDict().subDict(controls));
         }
     }
 }

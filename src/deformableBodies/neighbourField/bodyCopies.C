@@ -13,7 +13,7 @@ Foam::bodyCopies::bodyCopies(const PtrList<bodyGroup>& groups,
       range_(range),
       neighbours_(grid),
       copies_(neighbours_),
-      walls_(wallSides(grid))
+      sides_(boxSides(grid))
 {
 }
 
@@ -134,7 +134,7 @@ void Foam::bodyCopies::mirror()
     {
         for (label side = 0; side < 2; ++side)
         {
-            if (!walls_[d][side]) continue;
+            if (!sides_[d][side].closed) continue;
             const scalar at = grid_.origin()[d] + side * grid_.length()[d];
             for (label k = 0; k < n; ++k)
             {

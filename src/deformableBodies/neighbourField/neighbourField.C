@@ -83,9 +83,10 @@ Foam::neighbourField::coarseOf(const bodyCopies::body& body, const level l)
     const scalar pi = constant::mathematical::pi;
     const scalar cells = spacing_[body.group] / grid_.h().x() *
                          std::sqrt(n / (4 * pi)); // radius
+    // With a margin, as radii are often whole numbers of cells
+    const label byCells = std::ceil(1.25 * cells * (1 - 1e-6));
     const label degree =
-        l == CLOSE ? largestDegree
-                   : min(largestDegree, label(std::ceil(1.25 * cells)));
+        l == CLOSE ? largestDegree : min(largestDegree, byCells);
     const label some = max(1.6 * sqr(scalar(degree + 1)),
                            4 * pi * sqr(cells / levelSpacing[l]));
     std::unique_ptr<const coarsePoints>& points = coarse_[key];
@@ -125,7 +126,10 @@ void Foam::neighbourField::add(const pair& p, const level l,
         {
             image_.reset(new wallImage(kernel_, grid_.h().x(), mu_));
         }
-        image_->velocity(ofA, ofB, apart, b.wall, ofA.origin[b.wall] - b.wallAt,
+        const direction d = b.wall;
+        const bool above =
+            b.wallAt > grid_.origin()[d] + 0.5 * grid_.length()[d];
+        image_->velocity(ofA, ofB, apart, d, ofA.origin[d] - b.wallAt, above,
                          u);
         addTo(levels_[p.a].u[l], u, weight);
         return;

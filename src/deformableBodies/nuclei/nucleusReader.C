@@ -39,9 +39,9 @@ Foam::nucleusReader::nucleusReader(const dictionary& capsules,
         refuse(nucleus_, "radiusRatio", Foam::name(ratio), "below 1");
     }
     radius_ = ratio * hostRadius_;
-    judge(nucleus_, {{"radiusRatio", "radius of the nucleus/h",
-                      radius_ / cmptMax(grid.h()), 1, GREAT, 2, GREAT,
-                      "a surface needs some cells to be one"}});
+    checkRanges(nucleus_, {{"radiusRatio", "radius of the nucleus/h",
+                            radius_ / cmptMax(grid.h()), 1, GREAT, 2, GREAT,
+                            "a surface needs some cells to be one"}});
 }
 
 void Foam::nucleusReader::checkEntries() const

@@ -219,5 +219,5 @@ Foam::placement::placement(const dictionary& group, const word& name,
     Pstream::scatter(centres_);
     Pstream::scatter(directions_);
     Info << "Placed " << number << " bodies of group " << name
-         << " at random, volume fraction " << fraction << endl;
+         << " at random, volume fraction " << Foam::name(fraction) << endl;
 }

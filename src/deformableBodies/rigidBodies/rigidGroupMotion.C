@@ -24,7 +24,7 @@ Foam::scalar Foam::rigidGroup::maxDeltaT() const
     return densityRatio_ < 1 ? 5 * sqr(h_) * scene_.rho / mu : GREAT;
 }
 
-void Foam::rigidGroup::markers(vector* X, const scalar dt)
+void Foam::rigidGroup::placeMarkers(vector* X, const scalar dt)
 {
     for (body& x : bodies_)
     {
@@ -156,7 +156,7 @@ Foam::rigidGroup::surround(const label i, const vector* U,
 
     // The change of the mesh's velocity only: the gains account for that of the near
     // field
-    const vectorField change(x.change(U, x.dt <= 0));
+    const vectorField change(x.takeVelocity(U, x.dt <= 0));
     if (!s.predicted) around.U += 0.5 * change;
     return around;
 }

@@ -71,7 +71,7 @@ Foam::rigidGroup::rigidGroup(const word& name, const dictionary& dict,
                             {"velocity", "angularVelocity"}));
     if (!twoWay())
     {
-        refuse(dict, "coupling", alone() ? "none" : "oneWay",
+        refuse(dict, "coupling", withoutFluid() ? "none" : "oneWay",
                "twoWay: what moves a rigid body is the force between it and "
                "the fluid");
     }
@@ -93,7 +93,7 @@ Foam::rigidGroup::rigidGroup(const word& name, const dictionary& dict,
     {
         refuse(dict, "markerSpacing", Foam::name(spacing), "0.5 to 1.5");
     }
-    judgeSize(dict);
+    checkSize(dict);
     setNearField(dict, spacing);
     makeMarkers(spacing);
     start_ = entries.start({shape_.semiAxes(), 0}, shape_.volume(), 0,
@@ -117,24 +117,25 @@ void Foam::rigidGroup::readMotion(const dictionary& dict)
     }
 }
 
-void Foam::rigidGroup::judgeSize(const dictionary& dict) const
+void Foam::rigidGroup::checkSize(const dictionary& dict) const
 {
     const vector L(scene_.grid.length());
     const scalar h = cmptMax(scene_.grid.h());
-    judge(dict,
-          {{"shape", "longest/shortest side of the cells",
-            h / cmptMin(scene_.grid.h()), 0, GREAT, 0, 1.25,
-            "the kernel is another in each direction, and drag and "
-            "rotation with it"},
-           {"shape", "radius/h", shape_.radius() / h, 1, 250, 2, 25,
-            "a surface needs some cells to be one, and time and memory of the "
-            "near field grow with the fourth power of their number (at 40: 3 "
-            "GB on each rank)"},
-           {"shape", "smallest semi-axis/h", cmptMin(shape_.semiAxes()) / h, 1,
-            GREAT, 2, GREAT, "a surface needs some cells to be one"},
-           {"shape", "diameter/side of the box",
-            2 * cmptMax(shape_.semiAxes()) / cmptMin(L), 0, 1, 0, 0.7,
-            "it meets its own image or both sides"}});
+    checkRanges(
+        dict,
+        {{"shape", "longest/shortest side of the cells",
+          h / cmptMin(scene_.grid.h()), 0, GREAT, 0, 1.25,
+          "the kernel is another in each direction, and drag and "
+          "rotation with it"},
+         {"shape", "radius/h", shape_.radius() / h, 1, 250, 2, 25,
+          "a surface needs some cells to be one, and time and memory of the "
+          "near field grow with the fourth power of their number (at 40: 3 "
+          "GB on each rank)"},
+         {"shape", "smallest semi-axis/h", cmptMin(shape_.semiAxes()) / h, 1,
+          GREAT, 2, GREAT, "a surface needs some cells to be one"},
+         {"shape", "diameter/side of the box",
+          2 * cmptMax(shape_.semiAxes()) / cmptMin(L), 0, 1, 0, 0.7,
+          "it meets its own image or both sides"}});
 }
 
 void Foam::rigidGroup::setNearField(const dictionary& dict,
@@ -231,7 +232,8 @@ void Foam::rigidGroup::findNearMobility()
     const label n = markers_.size();
     // Higher degrees are lost in round-off
     const label degree =
-        min(label(32), max(label(1), label(1.6 * shape_.radius() / h_)));
+        min(label(32),
+            max(label(1), label(1.6 * shape_.radius() / h_ * (1 + 1e-6))));
     projection_.reset(new coarsePoints(nearDirections(n), degree, n));
     vectorField u(n);
     for (direction d = 0; d < 3; ++d)
@@ -246,6 +248,24 @@ void Foam::rigidGroup::findNearMobility()
             meanNearMobility_ += v[d] / (3 * n);
         }
     }
+
+    // Forces that differ from marker to marker grow if the gain exceeds twice the inverse of
+    // the largest eigenvalue, which power iterations find
+    vectorField F(n);
+    forAll(F, k)
+    {
+        F[k] =
+            vector(std::sin(1.0 + k), std::sin(2.0 + 3 * k), std::cos(5.0 * k));
+    }
+    scalar largest = 0;
+    for (label i = 0; i < 100; ++i)
+    {
+        F /= std::sqrt(sum(magSqr(F)));
+        nearField_->velocity(markers_.cdata(), F.cdata(), n, u.data());
+        largest = std::sqrt(sum(magSqr(u)));
+        F = u;
+    }
+    nearMobility_ = max(nearMobility_, 0.7 * largest);
 }
 
 // Measured on spheres in a periodic box and in shear (tests/validation/rigidSphere)

@@ -55,9 +55,9 @@ bool Foam::squeezeFilms::arePossible(const PtrList<bodyGroup>& groups,
                                      const uniformGrid& grid)
 {
     label n = 0;
-    for (const auto& sides : wallSides(grid))
+    for (const auto& sides : boxSides(grid))
     {
-        if (sides[0] || sides[1]) n = 1;
+        if (sides[0].closed || sides[1].closed) n = 1;
     }
     for (const bodyGroup& group : groups)
     {
@@ -111,8 +111,9 @@ std::vector<Foam::squeezeFilms::film> Foam::squeezeFilms::find() const
     for (const neighbourField::closeSpheres& s :
          field_.spheresWithin(largestGap * h_))
     {
-        films.push_back(
-            {s.a, s.b, s.n, resistance(s), s.gap + s.radiusA + s.radiusB});
+        const scalar k = resistance(s);
+        if (k > 0)
+            films.push_back({s.a, s.b, s.n, k, s.gap + s.radiusA + s.radiusB});
     }
     return films;
 }

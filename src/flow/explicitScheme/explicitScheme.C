@@ -4,6 +4,7 @@
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
 #include "lastStep.H"
+#include "stepRatio.H"
 #include "volFields.H"
 #include "stateObject.H"
 
@@ -156,9 +157,8 @@ void Foam::explicitScheme::begin(const scalar deltaT)
 {
     if (!RK3_)
     {
-        // Euler after a far shorter step, whose terms would count too much
-        const bool useLast = history_.known && deltaT <= 4 * history_.deltaT;
-        const scalar weightLast = useLast ? -0.5 * deltaT / history_.deltaT : 0;
+        const scalar weightLast =
+            -0.5 * stepRatio(deltaT, history_.known ? history_.deltaT : 0);
         stages_ = {{1 - weightLast, weightLast, 1}};
         history_.deltaT = deltaT;
         history_.known = true;

@@ -3,7 +3,6 @@
 #include "flowAlgorithm.H"
 #include "dictionaryChecks.H"
 #include "flowSources.H"
-#include "rangeCheck.H"
 #include "wallConditions.H"
 
 Foam::flowAlgorithm::flowAlgorithm(const dictionary& controls,
@@ -100,11 +99,11 @@ Foam::flowAlgorithm::effects(const bool flows) const
     return List<effect>(all);
 }
 
-void Foam::flowAlgorithm::declare(effectTable& ledger, const bool flows) const
+void Foam::flowAlgorithm::declare(effectTable& table, const bool flows) const
 {
     for (const effect& e : effects(flows))
     {
-        ledger.declare(e.name, e.active, e.note);
+        table.declare(e.name, e.active, e.note);
     }
 }
 
@@ -140,8 +139,7 @@ void Foam::flowAlgorithm::requireBlocks(const fvMesh& mesh,
 }
 
 void Foam::flowAlgorithm::checkControls(const dictionary& controls,
-                                        const dictionary& schemes,
-                                        const bool bodies) const
+                                        const dictionary& schemes) const
 {
     // Entries of its own, and those of pimple
     wordList known({"flowAlgorithm", "timeScheme", "diffusion", "convection",
@@ -175,7 +173,6 @@ void Foam::flowAlgorithm::checkControls(const dictionary& controls,
             refuse(controls, "convection", "off",
                    "on with flowAlgorithm pimple, which always has that term");
         }
-        if (bodies) judgeCorrectors(controls);
         return;
     }
 

@@ -286,7 +286,8 @@ void Foam::flowSources::report()
         {
             file_ =
                 newResultFile(U_.time(), held_->name(), "pressureGradient.dat");
-            *file_ << "# time gradient uncorrectedUbar" << endl;
+            *file_ << "# time gradient uncorrectedUbar" << nl
+                   << "# [s] [m/s^2] [m/s]" << endl;
             file_->precision(12);
         }
         *file_ << U_.time().value() << ' ' << mean << ' '

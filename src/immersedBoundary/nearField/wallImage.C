@@ -85,23 +85,23 @@ Foam::wallImage::parts(const scalar rho, const scalar z, const scalar H) const
 void Foam::wallImage::velocity(const nearField::pointSet& body,
                                const nearField::pointSet& image,
                                const vector& apart, const direction normal,
-                               const scalar height,
+                               const scalar height, const bool above,
                                std::vector<vector>& u) const
 {
     const label n = body.padded(), m = image.padded();
     const direction first = (normal + 1) % 3, second = (normal + 2) % 3;
-    const scalar side = height < 0 ? -1 : 1;
+    const scalar side = above ? -1 : 1;
     const scalar factor =
         1 / (8 * constant::mathematical::pi * mu_ * h_);
     std::vector<double> own(body.n), others(image.n);
     for (label i = 0; i < body.n; ++i)
     {
-        own[i] = (mag(height) + side * body.fromOrigin[normal * n + i]) / h_;
+        own[i] = side * (height + body.fromOrigin[normal * n + i]) / h_;
     }
     for (label j = 0; j < image.n; ++j)
     {
         const double along = apart[normal] + image.fromOrigin[normal * m + j];
-        others[j] = -(mag(height) + side * along) / h_;
+        others[j] = -side * (height + along) / h_;
     }
     lift(own);
     lift(others);

@@ -64,13 +64,13 @@ TEST(CaseFiles, namesInOtherLetterCaseAreFound)
 {
     const Time& time = test::mesh().time();
     const IOobject io("deformableBodies", time.constant(), test::mesh());
-    EXPECT_EQ(fileInOtherCase(io), "");
+    EXPECT_EQ(fileWithOtherCapitals(io), "");
     for (const fileName name :
          {"constant/DeformableBodies", "system/deformableBodies"})
     {
         const fileName file(time.globalPath() / name);
         test::writeText(file, "a 1;");
-        EXPECT_EQ(fileInOtherCase(io), file);
+        EXPECT_EQ(fileWithOtherCapitals(io), file);
         if (Pstream::master()) rm(file);
     }
 }

@@ -30,28 +30,28 @@ void spend(const scalar seconds)
 TEST(EffectLedger, timeOfAnInnerEffectIsItsOwn)
 {
     const Time& time = test::mesh().time();
-    const fileName folder(time.globalPath() / "postProcessing" / "ledger");
+    const fileName folder(time.globalPath() / "postProcessing" / "table");
     std::map<std::string, std::pair<scalar, label>> rows;
     scalar all = 0;
     {
-        effectTable ledger(time, "ledger");
+        effectTable table(time, "table");
         for (const word name : {"outer", "inner"})
         {
-            ledger.declare(name, true, "");
+            table.declare(name, true, "");
         }
-        ledger.declare("outer", true, "");
-        ledger.declare("skipped", false, "why");
+        table.declare("outer", true, "");
+        table.declare("skipped", false, "why");
         const auto begin = clocks::now();
         {
-            const auto outer = ledger.time("outer");
+            const auto outer = table.time("outer");
             for (label i = 0; i < 2; ++i)
             {
-                const auto inner = ledger.time("inner");
+                const auto inner = table.time("inner");
                 spend(0.05);
             }
         }
         all = since(begin);
-        ledger.write();
+        table.write();
     }
     if (!Pstream::master()) return;
     std::ifstream is(folder / "effectCost" / "0" / "effectCost.dat");
@@ -71,5 +71,5 @@ TEST(EffectLedger, timeOfAnInnerEffectIsItsOwn)
     // (six digits are written)
     EXPECT_GE(rows["inner"].first, 0.1 * (1 - 1e-5));
     EXPECT_LE(rows["outer"].first, (all - 0.1) * (1 + 1e-5) + 1e-6);
-    rmDir(time.globalPath() / "postProcessing" / "ledger");
+    rmDir(time.globalPath() / "postProcessing" / "table");
 }

@@ -13,13 +13,13 @@ std::string judged(const scalar value)
     return test::refusal(
         [&]
         {
-            judge(dict, {{"radius", "radius/h", value, 1, 10, 3, GREAT,
-                          "the kernel is three cells wide"}});
+            checkRanges(dict, {{"radius", "radius/h", value, 1, 10, 3, GREAT,
+                                "the kernel is three cells wide"}});
         });
 }
 } // namespace
 
-TEST(JudgedRatio, outsideTheRangeIsRefusedWithTheReason)
+TEST(RangeCheck, outsideTheRangeIsRefusedWithTheReason)
 {
     for (const scalar value : {0.9, 11.0, -1.0})
     {
@@ -31,7 +31,7 @@ TEST(JudgedRatio, outsideTheRangeIsRefusedWithTheReason)
     }
 }
 
-TEST(JudgedRatio, unsoundIsNoError)
+TEST(RangeCheck, unsoundIsNoError)
 {
     for (const scalar value : {2.0, 5.0})
     {
@@ -39,14 +39,14 @@ TEST(JudgedRatio, unsoundIsNoError)
     }
 }
 
-TEST(JudgedRatio, endsOfRangesAreWithinDespiteRoundOff)
+TEST(RangeCheck, endsOfRangesAreWithinDespiteRoundOff)
 {
     EXPECT_EQ(judged(1 - 1e-12), "");
     EXPECT_EQ(judged(10 + 1e-12), "");
     EXPECT_NE(judged(1 - 1e-6), "");
 }
 
-TEST(JudgedRatio, rangesAreSaidByTheirEnds)
+TEST(RangeCheck, rangesAreSaidByTheirEnds)
 {
     EXPECT_EQ(rangeOf(1, 3), "1 to 3");
     EXPECT_EQ(rangeOf(1, GREAT), "at least 1");

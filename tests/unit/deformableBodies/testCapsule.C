@@ -15,8 +15,8 @@ capsule full()
     capsule c;
     c.lastDeltaT = 0.25;
     double value = 0;
-    for (capsule::numbers* v : {&c.x, &c.velocity, &c.previous, &c.lag,
-                                &c.lagBefore, &c.onFluid, &c.nearMemory})
+    for (capsule::coefficients* v : {&c.x, &c.velocity, &c.previous, &c.lag,
+                                     &c.lagBefore, &c.onFluid, &c.nearMemory})
     {
         v->resize(v == &c.nearMemory ? capsuleNearField::memorySize * n : n);
         for (double& x : *v)

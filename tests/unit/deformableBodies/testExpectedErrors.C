@@ -23,7 +23,7 @@ expectedErrors group(const scalar cells, const scalar step = 0.04)
 std::string judged(const expectedErrors& errors, const scalar wanted)
 {
     return test::refusal(
-        [&] { judgeErrors({errors}, wanted, "deformableBodies"); });
+        [&] { checkErrors({errors}, wanted, "deformableBodies"); });
 }
 } // namespace
 

@@ -31,7 +31,7 @@ vector velocity(const vector& x, const vector& y, const vector& F,
         other({mirrored}, {force});
     std::vector<vector> u;
     image().velocity(body, other, other.origin - body.origin, normal,
-                     body.origin[normal] - at, u);
+                     body.origin[normal] - at, body.origin[normal] < at, u);
     return u[0];
 }
 } // namespace
@@ -135,7 +135,7 @@ TEST(WallImage, staysPositive)
             }
             const nearField::pointSet body(X, F), other(mirrored, image_);
             image().velocity(body, other, other.origin - body.origin, 1,
-                             body.origin.y(), v);
+                             body.origin.y(), false, v);
             smooth.add(v, u.data());
             for (label i = 0; i < 3 * n; ++i)
             {

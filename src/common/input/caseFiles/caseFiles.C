@@ -202,7 +202,7 @@ std::unique_ptr<Foam::IOdictionary> Foam::stateOfTime(const objectRegistry& db,
     }
     catch (const IOerror& error)
     {
-        // Functions that fail otherwise are left out by OpenFOAM
+        // Reset first: OpenFOAM leaves out a functionObject whose exception it catches
         FatalIOError.throwExceptions(throwing);
         FatalIOErrorInFunction(dictionary(io.objectPath()))
             << "the file is damaged: " << error.message().c_str() << nl
@@ -213,7 +213,7 @@ std::unique_ptr<Foam::IOdictionary> Foam::stateOfTime(const objectRegistry& db,
     return state;
 }
 
-Foam::fileName Foam::fileInOtherCase(const IOobject& io)
+Foam::fileName Foam::fileWithOtherCapitals(const IOobject& io)
 {
     fileName found;
     if (Pstream::master())

@@ -15,12 +15,13 @@ Foam::string digits(const Foam::scalar x)
     return os.str();
 }
 
-//- True if x is in the range. A relative 1e-9 is allowed at its ends, as round-off
-//  moves ratios that were meant to be there
+//- True if x is in the range, which has no end from GREAT on. A relative 1e-9 is allowed at
+//  its ends, as round-off moves ratios that were meant to be there
 bool within(const Foam::scalar x, const Foam::scalar least,
             const Foam::scalar most)
 {
-    return x >= least * (1 - 1e-9) && x <= most * (1 + 1e-9);
+    return x >= least * (1 - 1e-9) &&
+           (most >= Foam::GREAT || x <= most * (1 + 1e-9));
 }
 } // namespace
 
@@ -31,7 +32,7 @@ Foam::string Foam::rangeOf(const scalar least, const scalar most)
     return digits(least) + " to " + digits(most);
 }
 
-void Foam::judge(const dictionary& dict, const List<rangeCheck>& ratios)
+void Foam::checkRanges(const dictionary& dict, const List<rangeCheck>& ratios)
 {
     for (const rangeCheck& r : ratios)
     {
@@ -50,12 +51,4 @@ void Foam::judge(const dictionary& dict, const List<rangeCheck>& ratios)
                 << ": " << r.reason.c_str() << endl;
         }
     }
-}
-
-void Foam::judgeCorrectors(const dictionary& controls)
-{
-    const scalar n = controls.getOrDefault<label>("nCorrectors", 1);
-    judge(controls, {{"nCorrectors", "nCorrectors", n, 0, GREAT, 2, GREAT,
-                      "beside bodies a velocity whose pressure is corrected "
-                      "once may swing from step to step until the run stops"}});
 }

@@ -112,7 +112,7 @@ bool Foam::needsNoFields(const dictionary& function)
         .found(function.getOrDefault<word>("type", ""));
 }
 
-bool Foam::isLookedAt(const word& field, const Time& time)
+bool Foam::isDueFor(const word& field, const Time& time)
 {
     return any(field, time,
                [&](const dictionary& function)

@@ -42,22 +42,22 @@ Foam::lastStep::lastStep(const Time& time)
 {
     const dictionary last(dictionaryOf(time, "lastStep"));
     last.readIfPresent("subSteps", division_.subSteps);
-    last.readIfPresent("parts", division_.parts);
-    last.readIfPresent("quiet", division_.quiet);
-    last.readIfPresent("pause", division_.pause);
-    last.readIfPresent("limit", division_.limit);
-    last.readIfPresent("unjudged", division_.unjudged);
+    last.readIfPresent("lastSubSteps", division_.lastSubSteps);
+    last.readIfPresent("nGood", division_.nGood);
+    last.readIfPresent("nGoodWanted", division_.nGoodWanted);
+    last.readIfPresent("maxDeltaT", division_.maxDeltaT);
+    last.readIfPresent("nUnchecked", division_.nUnchecked);
 }
 
 void Foam::lastStep::writeDivision(Ostream& os) const
 {
-    if (division_.pause == division().pause) return;
+    if (division_.nGoodWanted == division().nGoodWanted) return;
     os.writeEntry("subSteps", division_.subSteps);
-    os.writeEntry("parts", division_.parts);
-    os.writeEntry("quiet", division_.quiet);
-    os.writeEntry("pause", division_.pause);
-    os.writeEntry("limit", division_.limit);
-    os.writeEntry("unjudged", division_.unjudged);
+    os.writeEntry("lastSubSteps", division_.lastSubSteps);
+    os.writeEntry("nGood", division_.nGood);
+    os.writeEntry("nGoodWanted", division_.nGoodWanted);
+    os.writeEntry("maxDeltaT", division_.maxDeltaT);
+    os.writeEntry("nUnchecked", division_.nUnchecked);
 }
 
 Foam::scalar Foam::lastStep::read(const Time& time)
@@ -73,14 +73,15 @@ Foam::scalar Foam::lastStep::read(const Time& time)
 
 Foam::scalar Foam::lastStep::readSubStep(const Time& time)
 {
-    return read(time) /
-           dictionaryOf(time, "lastStep").getOrDefault<label>("parts", 1);
+    return read(time) / dictionaryOf(time, "lastStep")
+                            .getOrDefault<label>("lastSubSteps", 1);
 }
 
 Foam::scalar Foam::lastStep::subStep(const Time& time)
 {
     const auto* step = time.findObject<lastStep>("lastStep");
-    const label parts = step && !time.subCycling() ? step->division_.parts : 1;
+    const label parts =
+        step && !time.subCycling() ? step->division_.lastSubSteps : 1;
     return time.deltaTValue() / parts;
 }
 

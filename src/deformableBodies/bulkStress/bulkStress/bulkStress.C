@@ -26,7 +26,8 @@ Foam::string Foam::bulkStress::obstacle(const bodySystem& system,
     {
         return "no sides of the box move against each other";
     }
-    if (sides.oblique > 1e-6) return "sides move in no direction of the mesh";
+    if (sides.oblique > 1e-6)
+        return "the sides do not move along an edge of the box";
     for (direction d = 0; d < 3; ++d)
     {
         if (d != sides.gradient && !system.grid.periodic(d))
@@ -135,7 +136,7 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
     isShear(sides);
     const scalar H = system.grid.length()[sides.gradient];
     Info << "Bulk stress: the stress of the sides takes "
-         << sqr(H / constant::mathematical::pi) / system.nu->value()
+         << Foam::name(sqr(H / constant::mathematical::pi) / system.nu->value())
          << " s to settle, H^2/(pi^2 nu)" << nl << endl;
 }
 

@@ -67,7 +67,12 @@ void Foam::bulkStress::append(autoPtr<OFstream>& file, const word& name,
         {
             file() << ' ' << column;
         }
-        file() << nl << "# s of-mu-times-the-rate,-all" << endl;
+        file() << nl << "# [s]";
+        forAll(columns, i)
+        {
+            file() << " [1]";
+        }
+        file() << endl;
         file().precision(10);
     }
     file() << lastTime_;
@@ -117,10 +122,10 @@ void Foam::bulkStress::writeAverages()
         {
             averages_() << ' ' << name << ' ' << name << "Error";
         }
-        averages_() << nl << "# s s";
+        averages_() << nl << "# [s] [s]";
         forAll(names, i)
         {
-            averages_() << " 1 1(-1:not-known)";
+            averages_() << " [1] [1]";
         }
         averages_() << endl;
         averages_().precision(10);

@@ -21,12 +21,14 @@ Foam::functionObjects::bodyStatistics::bodyStatistics(const word& name,
                                                       const dictionary& dict)
     : sampledBodies(name, time, dict, typeName)
 {
-    checkFunctionEntries(
-        dict, {"groups", "bins", "reach", "around", "alone", "plane"});
+    checkFunctionEntries(dict,
+                         {"groups", "bins", "maxDistance",
+                          "concentrationRadius", "referenceVelocity", "plane"});
     requireBodies(dict);
     const groupStatistics::settings settings(readSettings(dict));
     const wordList all(bodies_.system().groupNames());
     const wordList wanted(dict.getOrDefault<wordList>("groups", all));
+    if (wanted.empty()) refuse(dict, "groups", "()", oneOf(all));
     for (const word& group : wanted)
     {
         const label g = all.find(group);
@@ -60,21 +62,25 @@ Foam::functionObjects::bodyStatistics::readSettings(
     const scalar half = 0.5 * cmptMin(grid.length());
     groupStatistics::settings s{
         dict.getOrDefault<label>("bins", 40),
-        dict.found("reach") ? readPositive(dict, "reach", dimLength) : half,
+        dict.found("maxDistance") ? readPositive(dict, "maxDistance", dimLength)
+                                  : half,
         0,
-        dict.getOrDefault<vector>("alone", Zero),
+        dict.getOrDefault<vector>("referenceVelocity", Zero),
         0,
         1};
-    s.around = dict.found("around") ? readPositive(dict, "around", dimLength)
-                                    : 0.5 * s.reach;
+    s.concentrationRadius =
+        dict.found("concentrationRadius")
+            ? readPositive(dict, "concentrationRadius", dimLength)
+            : 0.5 * s.maxDistance;
     if (s.bins < 2 || s.bins > 1000)
     {
         refuse(dict, "bins", Foam::name(s.bins), "2 to 1000");
     }
-    if (max(s.reach, s.around) > half * (1 + 1e-9))
+    if (max(s.maxDistance, s.concentrationRadius) > half * (1 + 1e-9))
     {
-        refuse(dict, s.reach > half ? "reach" : "around",
-               Foam::name(max(s.reach, s.around)),
+        refuse(dict,
+               s.maxDistance > half ? "maxDistance" : "concentrationRadius",
+               Foam::name(max(s.maxDistance, s.concentrationRadius)),
                "up to " + Foam::name(half) + ", half of the shortest side");
     }
     const wordList axes({"x", "y", "z"});
@@ -114,8 +120,8 @@ Foam::string Foam::functionObjects::bodyStatistics::textOf(
     const groupStatistics::settings& s)
 {
     OStringStream os;
-    os << s.bins << ' ' << s.reach << ' ' << s.around << ' ' << s.alone << ' '
-       << label(s.f) << ' ' << label(s.g);
+    os << s.bins << ' ' << s.maxDistance << ' ' << s.concentrationRadius << ' '
+       << s.referenceVelocity << ' ' << label(s.f) << ' ' << label(s.g);
     return os.str();
 }
 

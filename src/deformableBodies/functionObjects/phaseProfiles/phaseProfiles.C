@@ -243,7 +243,6 @@ void Foam::functionObjects::phaseProfiles::writeFreeLayers(Ostream& os) const
 void Foam::functionObjects::phaseProfiles::writeProfiles(Ostream& os) const
 {
     os.precision(10);
-    if (!bodies_.empty()) writeFreeLayers(os);
     os << "# " << vector::componentNames[g_]
        << " velocityX velocityY velocityZ rmsX rmsY rmsZ";
     for (const bodyGroup& group : bodies_.system().groups)
@@ -251,7 +250,13 @@ void Foam::functionObjects::phaseProfiles::writeProfiles(Ostream& os) const
         os << ' ' << group.name() << ' ' << group.name() << "VelocityX "
            << group.name() << "VelocityY " << group.name() << "VelocityZ";
     }
+    os << nl << "# [m] [m/s] [m/s] [m/s] [m/s] [m/s] [m/s]";
+    forAll(volume_, g)
+    {
+        os << " [1] [m/s] [m/s] [m/s]";
+    }
     os << nl;
+    if (!bodies_.empty()) writeFreeLayers(os);
     forAll(u_, j)
     {
         const vector u(u_[j] / weight_), squares(squares_[j] / weight_);
@@ -278,7 +283,7 @@ void Foam::functionObjects::phaseProfiles::writeStress(Ostream& os) const
 {
     os.precision(10);
     os << "# " << vector::componentNames[g_] << " viscous reynolds bodies sum"
-       << nl << "# m Pa Pa Pa Pa" << nl;
+       << nl << "# [m] [Pa] [Pa] [Pa] [Pa]" << nl;
     forAll(viscous_, j)
     {
         const scalar viscous = viscous_[j] / weight_,

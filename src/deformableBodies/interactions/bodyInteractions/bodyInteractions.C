@@ -21,6 +21,7 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
       walls_(scene.grid),
       models_(dict, interactionScene::of(mesh, groups, scene, nearField),
               scene.effects),
+      takesPart_(groups.size(), false),
       surfaces_(groups.size()),
       near_(scene.grid, walls_, models_.range()),
       points_(scene.grid),
@@ -38,15 +39,18 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
     forAll(groups_, g)
     {
         if (!interactionScene::takesPart(groups_[g])) continue;
-        scene.forces.append(new interactionForce(groups_[g].name(), *this, g));
         const bodyPoints p(groups_[g].points(-1));
-        if (p.isSurface())
+        const bool surface = p.isSurface();
+        takesPart_[g] =
+            models_.actOn(surface, true) || models_.actOn(surface, false);
+        if (!takesPart_[g]) continue;
+        scene.forces.append(new interactionForce(groups_[g].name(), *this, g));
+        if (surface)
         {
             surfaces_[g] = contactSurface(p.positions, mag(p.areas),
                                           models_.surfaceRange());
         }
-        if (resists() && !p.isSurface() &&
-            groups_[g].forcing() == forcingType::none)
+        if (resists() && !surface && groups_[g].forcing() == forcingType::none)
         {
             refuse(dict.parent(), "interactions",
                    "what resists the motion of filaments, with group " +
@@ -67,8 +71,7 @@ Foam::bodyInteractions::bodyInteractions(const dictionary& dict,
 bool Foam::bodyInteractions::actBetween(const label group,
                                         const label other) const
 {
-    return interactionScene::takesPart(groups_[group]) &&
-           interactionScene::takesPart(groups_[other]) &&
+    return takesPart_[group] && takesPart_[other] &&
            models_.actOn(isSurface(group), isSurface(other));
 }
 
@@ -78,7 +81,7 @@ bool Foam::bodyInteractions::bodiesChanged() const
     size_t n = 0;
     forAll(groups_, g)
     {
-        if (!interactionScene::takesPart(groups_[g])) continue;
+        if (!takesPart_[g]) continue;
         for (const label body : groups_[g].mine())
         {
             if (n == bodies.size() ||
@@ -99,7 +102,7 @@ void Foam::bodyInteractions::compareBoxes()
     forAll(groups_, g)
     {
         const bodyGroup& group = groups_[g];
-        if (!interactionScene::takesPart(group)) continue;
+        if (!takesPart_[g]) continue;
         const bool mayFold = models_.actWithinLines() && !isSurface(g);
         forAll(group.mine(), i)
         {
@@ -130,7 +133,7 @@ Foam::scalar Foam::bodyInteractions::maxDeltaT()
 {
     const scalar now = pressed();
     if (near_.isOld()) compareBoxes();
-    return near_.anyOnAnyRanks() ? models_.maxDeltaT(now) : GREAT;
+    return near_.anyByMotion() ? models_.maxDeltaT(now) : GREAT;
 }
 
 bool Foam::bodyInteractions::actOn(const label group, const label body) const

@@ -34,17 +34,13 @@ void Foam::bodyInteractions::update()
         // are compared again
         act(*linePairs_, points_.lineBodies(), points_.linesAlong());
     }
-    if (watch_.surfacesTouch())
-    {
-        watch_.lookBehind(surfacePairs_->pairs(), touchingAreas());
-    }
     contactMoment_ -= momentAboutCentres();
     actOfWalls();
     samples_.addPower(points_.power(), time_.deltaTValue());
-    if (first && !continues_) judgeStart();
+    if (first && !continues_) checkStart();
 }
 
-void Foam::bodyInteractions::judgeStart() const
+void Foam::bodyInteractions::checkStart() const
 {
     string where;
     scalar most = 10 * models_.load();
@@ -122,6 +118,11 @@ void Foam::bodyInteractions::act(contactSearch& search, const labelUList& body,
     search.search(points_.X(), points_.points(), body, along,
                   2 * (search.pairs().range() + near_.skin()));
     watch_.look(search.pairs(), search.points());
+    if (watch_.surfacesTouch())
+    {
+        watch_.lookBehind(search.pairs(),
+                          touchingAreas(search.pairs(), body.size()));
+    }
     const auto add = [&](pairForces all)
     {
         for (const contactForce& force : models_.forces())
@@ -149,10 +150,10 @@ Foam::tensor Foam::bodyInteractions::momentAboutCentres() const
     return moment;
 }
 
-Foam::vectorField Foam::bodyInteractions::touchingAreas() const
+Foam::vectorField Foam::bodyInteractions::touchingAreas(const closePairs& pairs,
+                                                        const label n) const
 {
-    const label n = points_.nOfSurfaces();
-    const scalarField touching(watch_.touching(surfacePairs_->pairs(), n));
+    const scalarField touching(watch_.touching(pairs, n));
     vectorField areas(n, Zero);
     for (label b = 0; b < near_.nBodies(); ++b)
     {

@@ -17,7 +17,7 @@ void Foam::contactSamples::write(const scalar closestHere,
         file_ = newResultFile(time_, fileName(region_) / "interactions",
                               "interactions.dat");
         file_() << "# time closest pairs power work" << nl
-                << "# s m(0:none) 1 W J(since-the-start-of-the-run)" << endl;
+                << "# [s] [m] [1] [W] [J]" << endl;
         file_().precision(10);
     }
     file_() << time_.value() << ' ' << (closest < GREAT ? closest : 0) << ' '

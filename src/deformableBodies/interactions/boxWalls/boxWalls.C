@@ -1,7 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "boxWalls.H"
-#include "wallSides.H"
+#include "boxSides.H"
 
 Foam::boxWalls::boxWalls(const uniformGrid& grid)
     : grid_(grid)

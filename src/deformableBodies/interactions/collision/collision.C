@@ -49,8 +49,8 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
         if (all.most == 0) all.most = GREAT;
         return all;
     };
-    return contactLaw(dict, scene.grid, h, strength, dimForce, scene.deltaT,
-                      borne);
+    return contactLaw(dict, scene.grid, h, strength, dimForce,
+                      scene.adjusted ? 0 : scene.deltaT, borne);
 }
 } // namespace
 

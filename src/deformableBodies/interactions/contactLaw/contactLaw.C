@@ -51,7 +51,8 @@ Foam::contactLaw::contactLaw(
     most_ = max(most_, 25 * strength_);
     reason_ = "given";
     setClosest();
-    judge(dict, {{"strength", "strength/" + Foam::name(borne),
+    checkRanges(dict,
+                {{"strength", "strength/" + Foam::name(borne),
                   strength_ / borne, 0, GREAT, 0, 10,
                   "a contact stiffer than deltaT bears throws bodies apart"}});
 }
@@ -84,7 +85,7 @@ void Foam::contactLaw::setClosest()
                    : range_ * (1 - std::log(e) / 3);
 }
 
-bool Foam::contactLaw::keep(const scalarList& defaults)
+bool Foam::contactLaw::raiseDefaults(const scalarList& defaults)
 {
     if (given_ || defaults.size() != 3 ||
         mag(defaults[2] - range_) > 1e-9 * range_)

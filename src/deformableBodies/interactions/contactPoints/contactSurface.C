@@ -10,7 +10,8 @@ namespace
 {
 using namespace Foam;
 
-//- Pairs of markers of which one is among the six nearest of the other, by directions
+//- Pairs of markers of which one is among the six nearest of the other, by directions.
+//  Distances are rounded: on symmetric shapes many are equal, and numbers decide
 List<labelPair> neighbours(const vectorField& X)
 {
     const label n = X.size(), most = min(label(6), n - 1);
@@ -21,7 +22,8 @@ List<labelPair> neighbours(const vectorField& X)
     {
         for (label j = 0; j < n; ++j)
         {
-            others[j] = {j == i ? GREAT : magSqr(e[j] - e[i]), j};
+            others[j] = {j == i ? GREAT : std::round(1e9 * magSqr(e[j] - e[i])),
+                         j};
         }
         std::partial_sort(others.begin(), others.begin() + most, others.end());
         for (label k = 0; k < most; ++k)

@@ -83,7 +83,7 @@ void Foam::interactionState::readStrengths(const dictionary& strengths,
     {
         if (!strengths.found(force.type())) continue;
         const scalarList defaults(strengths.get<scalarList>(force.type()));
-        if (!force.keep(defaults)) continue;
+        if (!force.raiseDefaults(defaults)) continue;
         effects.declare(force.type(), true,
                         "as at the start of the run, strength " +
                             Foam::name(defaults[0]));

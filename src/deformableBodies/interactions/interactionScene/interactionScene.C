@@ -8,7 +8,7 @@
 
 bool Foam::interactionScene::takesPart(const bodyGroup& group)
 {
-    return group.takesForces() && !group.alone();
+    return group.takesForces() && !group.withoutFluid();
 }
 
 Foam::interactionScene
@@ -16,17 +16,18 @@ Foam::interactionScene::of(const fvMesh& mesh, const PtrList<bodyGroup>& groups,
                            const bodyScene& scene, const bool nearField)
 {
     const dictionary& control = mesh.time().controlDict();
-    interactionScene all{scene.grid,
-                         scene.mu,
-                         control.found("deltaT")
-                             ? readPositive(control, "deltaT", dimTime)
-                             : mesh.time().deltaTValue(),
-                         0,
-                         0,
-                         GREAT,
-                         List<contactLoad>(),
-                         nearField,
-                         nearField};
+    interactionScene all{
+        scene.grid,
+        scene.mu,
+        scene.adjusted && scene.likelyDeltaT < GREAT ? scene.likelyDeltaT
+        : control.found("deltaT") ? readPositive(control, "deltaT", dimTime)
+                                  : mesh.time().deltaTValue(),
+        0,
+        0,
+        GREAT,
+        List<contactLoad>(),
+        nearField,
+        nearField};
     forAll(groups, g)
     {
         if (!takesPart(groups[g])) continue;

@@ -60,7 +60,8 @@ Foam::lubrication::lubrication(const dictionary& dict,
         refuse(dict, "roughness", Foam::name(roughness_),
                "gaps below the range, " + Foam::name(range_));
     }
-    judge(dict, {{"roughness", "roughness/radius", roughness_ / scene.thinnest,
+    checkRanges(dict,
+                {{"roughness", "roughness/radius", roughness_ / scene.thinnest,
                   0.999e-6, GREAT, 0.999e-3, GREAT,
                   "the thinner the film, the longer its sum takes"}});
 }

@@ -65,8 +65,8 @@ Foam::boolList Foam::nearBodies::nearOthers(const UList<boundBox>& boxes,
 
 bool Foam::nearBodies::isOld()
 {
-    const scalar way = returnReduce(way_, maxOp<scalar>());
-    way_ = 0;
+    const scalar way = returnReduce(displacement_, maxOp<scalar>());
+    displacement_ = 0;
     if (way > 0) lastTravel_ = way;
     travelled_ += way;
     return !(travelled_ <= 0.5 * skin()); // not a number is old
@@ -95,5 +95,5 @@ void Foam::nearBodies::compare(const std::vector<body>& bodies,
     reduce(any_, orOp<bool>());
     if (travelled_ <= 0.5 * skin()) return;
     travelled_ = 0;
-    anyOnAnyRanks_ = any_;
+    anyByMotion_ = any_;
 }

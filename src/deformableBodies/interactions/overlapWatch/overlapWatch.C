@@ -3,6 +3,7 @@
 #include "overlapWatch.H"
 #include "dictionaryChecks.H"
 #include "lastStep.H"
+#include <map>
 
 void Foam::overlapWatch::overlaps::include(const scalar deep, const label first,
                                            const label second, const point& x)
@@ -32,7 +33,6 @@ void Foam::overlapWatch::begin()
     if (stepIndex(time_) != step_) settle();
     step_ = stepIndex(time_);
     now_.time = time_.value();
-    touching_.clear();
     closest_ = GREAT;
     nPairs_ = 0;
 }
@@ -54,6 +54,7 @@ void Foam::overlapWatch::include(const scalar depth, const closePairs& pairs,
 void Foam::overlapWatch::look(const closePairs& pairs,
                               const UList<interactingPoint>& points)
 {
+    touching_.clear();
     for (const closePairs::pair& p : pairs.pairs())
     {
         nPairs_ += p.bothHeld ? 2 : 1;
@@ -66,12 +67,15 @@ void Foam::overlapWatch::look(const closePairs& pairs,
             if (linesKeptApart_ && apart < 0.9 * both)
                 include(both - apart, pairs, p);
         }
-        else if (x.radius == 0 && y.radius == 0)
+        else
         {
             // Surfaces that cross have points of which some are closer to each other
-            // than half the sides of the squares that they stand for
-            if (sqr(apart) < 0.25 * max(x.size, y.size))
-                touching_.append({p.first, p.second});
+            // than half the sides of the squares that they stand for; those of a fibre
+            // through a surface are closer than the side
+            const scalar square = x.radius > 0   ? y.size
+                                  : y.radius > 0 ? x.size
+                                                 : 0.25 * max(x.size, y.size);
+            if (sqr(apart) < square) touching_.append({p.first, p.second});
         }
     }
 }
@@ -97,6 +101,13 @@ void Foam::overlapWatch::lookBehind(const closePairs& pairs,
                                     const UList<vector>& own)
 {
     const vectorField areas(pairs.handOut(own));
+    lookAtSurfaces(pairs, areas);
+    lookAtLines(pairs, areas);
+}
+
+void Foam::overlapWatch::lookAtSurfaces(const closePairs& pairs,
+                                        const vectorField& areas)
+{
     for (const closePairs::pair& p : pairs.pairs())
     {
         const vector &n = areas[p.first], &m = areas[p.second];
@@ -115,6 +126,58 @@ void Foam::overlapWatch::lookBehind(const closePairs& pairs,
                                  ? alike && ofFirst < -0.5
                                  : !alike && ofSecond < -0.5 && ofFirst > 0.5;
         if (crosses) include(apart, pairs, p);
+    }
+}
+
+void Foam::overlapWatch::lookAtLines(const closePairs& pairs,
+                                     const vectorField& areas)
+{
+    // For each held point of a line, the nearest point of each surface; first is that of
+    // the line
+    const labelList& body = pairs.body();
+    std::map<std::pair<label, label>, closePairs::pair> nearest;
+    for (closePairs::pair p : pairs.pairs())
+    {
+        if (body[p.first] < 0 && p.bothHeld)
+            p = {p.second, p.first, true, -p.r};
+        if (body[p.first] < 0 || body[p.second] >= 0) continue;
+        if (magSqr(areas[p.second]) == 0) continue;
+        closePairs::pair& next =
+            nearest.insert({{p.first, body[p.second]}, p}).first->second;
+        if (magSqr(p.r) < magSqr(next.r)) next = p;
+    }
+    const auto cosine = [&](const closePairs::pair& p)
+    {
+        const vector& n = areas[p.second];
+        return (n & p.r) / (mag(n) * max(mag(p.r), VSMALL));
+    };
+
+    // Points of a line may be held by several ranks: number of the line, of the surface,
+    // and the side
+    List<labelList> ofRanks(Pstream::nProcs());
+    for (const auto& of : nearest)
+    {
+        const closePairs::pair& p = of.second;
+        if (mag(cosine(p)) < 0.5) continue;
+        ofRanks[Pstream::myProcNo()].append(
+            labelList({body[p.first], body[p.second], label(cosine(p) > 0)}));
+    }
+    Pstream::gatherList(ofRanks);
+    Pstream::scatterList(ofRanks);
+    std::set<std::pair<label, label>> sides[2];
+    for (const labelList& of : ofRanks)
+    {
+        for (label k = 0; k < of.size(); k += 3)
+        {
+            sides[of[k + 2]].insert({of[k], of[k + 1]});
+        }
+    }
+    for (const auto& of : nearest)
+    {
+        const closePairs::pair& p = of.second;
+        const std::pair<label, label> both(body[p.first], body[p.second]);
+        if (cosine(p) < -0.5 && sides[0].count(both) && sides[1].count(both))
+            include(mag(p.r), pairs, p);
     }
 }
 
@@ -158,7 +221,7 @@ void Foam::overlapWatch::settle()
     }
 }
 
-void Foam::overlapWatch::judge()
+void Foam::overlapWatch::report()
 {
     settle();
     const string where(describe(all_));

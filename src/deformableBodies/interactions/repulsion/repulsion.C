@@ -98,7 +98,7 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
         if (scene.films && load.stokesNumber() > 10) cells = 1;
     }
     return contactLaw(dict, scene.grid, cells * cmptMax(scene.grid.h()),
-                      strength, dimPressure, scene.deltaT,
+                      strength, dimPressure, scene.adjusted ? 0 : scene.deltaT,
                       0.25 * scene.mu / scene.deltaT);
 }
 } // namespace

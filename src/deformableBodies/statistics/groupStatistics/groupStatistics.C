@@ -20,7 +20,7 @@ Foam::groupStatistics::groupStatistics(const bodyGroup& group,
       angles_(anglesAmong(quantities_.size())),
       means_(2 * quantities_.size()),
       distributions_(quantities_.size(), histogram(s.bins)),
-      pairs_(grid, s.reach, s.bins, s.f, s.g)
+      pairs_(grid, s.maxDistance, s.bins, s.f, s.g)
 {
 }
 
@@ -50,7 +50,7 @@ Foam::wordList Foam::groupStatistics::namesOfQuantities() const
             all.append(name);
         }
     }
-    if (magSqr(settings_.alone) > 0 && velocity_ >= 0)
+    if (magSqr(settings_.referenceVelocity) > 0 && velocity_ >= 0)
     {
         all.append("velocityOverAlone");
     }
@@ -95,10 +95,10 @@ Foam::scalarList Foam::groupStatistics::quantities(const scalarList& row) const
         }
         all.append(sqr(a.x() * a.y()));
     }
-    if (magSqr(settings_.alone) > 0 && velocity_ >= 0)
+    if (magSqr(settings_.referenceVelocity) > 0 && velocity_ >= 0)
     {
-        all.append((vectorAt(velocity_) & settings_.alone) /
-                   magSqr(settings_.alone));
+        all.append((vectorAt(velocity_) & settings_.referenceVelocity) /
+                   magSqr(settings_.referenceVelocity));
     }
     return scalarList(std::move(all));
 }
@@ -114,6 +114,7 @@ void Foam::groupStatistics::add(const scalar time, const scalar dt,
         if (row.empty()) continue;
         centres.append(point(row[0], row[1], row[2]));
         const scalarList q(quantities(row));
+        if (reference_.empty()) reference_ = q;
         forAll(q, i)
         {
             distributions_[i].add(q[i], dt);
@@ -125,7 +126,7 @@ void Foam::groupStatistics::add(const scalar time, const scalar dt,
                 continue;
             }
             sums[i] += q[i];
-            sums[n + i] += sqr(q[i]);
+            sums[n + i] += sqr(q[i] - reference_[i]);
         }
     }
     if (centres.empty()) return;
@@ -148,7 +149,7 @@ void Foam::groupStatistics::addConcentration(const List<scalarList>& rows,
         for (label j = i + 1; j < centres.size(); ++j)
         {
             if (mag(nearestImage(grid_, centres[i], centres[j])) <
-                settings_.around)
+                settings_.concentrationRadius)
             {
                 ++others[i];
                 ++others[j];
@@ -185,7 +186,7 @@ void Foam::groupStatistics::write(const fileName& stem) const
 void Foam::groupStatistics::writeMeans(Ostream& os) const
 {
     os.precision(8);
-    os << "# quantity mean error(-1:not-known) deviation" << nl;
+    os << "# quantity mean error deviation" << nl;
     const label n = quantities_.size();
     symmTensor aa(Zero);
     forAll(quantities_, i)
@@ -201,8 +202,11 @@ void Foam::groupStatistics::writeMeans(Ostream& os) const
                << lines.deviation() << nl;
             continue;
         }
+        const scalar reference = reference_.empty() ? 0 : reference_[i];
         os << m.value << ' ' << m.error << ' '
-           << Foam::sqrt(max(squares.value - sqr(m.value), scalar(0))) << nl;
+           << Foam::sqrt(
+                  max(squares.value - sqr(m.value - reference), scalar(0)))
+           << nl;
         const label component = i - quantities_.find("axisXX");
         if (axis_ >= 0 && component >= 0 && component < 6)
         {
@@ -239,11 +243,11 @@ void Foam::groupStatistics::writeConcentration(Ostream& os) const
     {
         all += c[0];
     }
-    const scalar volume =
-        4 * constant::mathematical::pi / 3 * pow3(settings_.around);
+    const scalar volume = 4 * constant::mathematical::pi / 3 *
+                          pow3(settings_.concentrationRadius);
     os.precision(8);
     os << "# others numberDensity probability velocityX velocityY velocityZ"
-       << nl << "# 1 1/m^3 1 m/s m/s m/s" << nl;
+       << nl << "# [1] [1/m^3] [1] [m/s] [m/s] [m/s]" << nl;
     forAll(concentration_, n)
     {
         const scalarList& c = concentration_[n];
@@ -256,6 +260,7 @@ void Foam::groupStatistics::writeConcentration(Ostream& os) const
 void Foam::groupStatistics::writeState(Ostream& os) const
 {
     writeNumbers(os, "sums", means_.state());
+    writeNumbers(os, "reference", reference_);
     writeNumbers(os, "pairs", pairs_.state());
     forAll(quantities_, i)
     {
@@ -271,7 +276,7 @@ void Foam::groupStatistics::writeState(Ostream& os) const
 
 void Foam::groupStatistics::readState(const dictionary& dict)
 {
-    wordList needed({"sums"});
+    wordList needed({"sums", "reference"});
     for (const word& name : quantities_)
     {
         needed.append("of." + name);
@@ -284,6 +289,7 @@ void Foam::groupStatistics::readState(const dictionary& dict)
         return;
     }
     means_.restore(dict.get<scalarList>("sums"));
+    reference_ = dict.get<scalarList>("reference");
     pairs_.restore(dict.get<scalarList>("pairs"));
     forAll(quantities_, i)
     {

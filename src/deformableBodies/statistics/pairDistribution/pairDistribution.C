@@ -64,7 +64,7 @@ void Foam::pairDistribution::add(const vector& r, const scalar weight)
 void Foam::pairDistribution::write(Ostream& radial, Ostream& map) const
 {
     const scalar width = reach_ / nBins_;
-    radial << "# r g gX gY gZ" << nl << "# m 1 1 1 1" << nl;
+    radial << "# r g gX gY gZ" << nl << "# [m] [1] [1] [1] [1]" << nl;
     for (label k = 0; k < nBins_; ++k)
     {
         const scalar shell = 4 * constant::mathematical::pi / 3 * pow3(width) *
@@ -80,7 +80,7 @@ void Foam::pairDistribution::write(Ostream& radial, Ostream& map) const
         radial << nl;
     }
     map << "# r" << vector::componentNames[f_] << " r"
-        << vector::componentNames[g_] << " g" << nl << "# m m 1" << nl;
+        << vector::componentNames[g_] << " g" << nl << "# [m] [m] [1]" << nl;
     const label n = 2 * nBins_;
     const scalar volume = sqr(width) * 0.2 * reach_;
     forAll(map_, k)

@@ -64,7 +64,9 @@ Foam::functionObjects::energySpectrum::energySpectrum(const word& name,
         table_()
             << "# time kineticEnergy dissipation rms taylorLength ReLambda "
             << "integralLength kolmogorovLength turnoverTime skewness "
-            << "forcingPower" << endl;
+            << "forcingPower" << nl
+            << "# [s] [m^2/s^2] [m^2/s^3] [m/s] [m] [1] [m] [m] [s] [1] "
+            << "[m^2/s^3]" << endl;
     }
 }
 
@@ -277,7 +279,7 @@ bool Foam::functionObjects::energySpectrum::write()
     const fileName dir(baseFileDir() / name() / time_.timeName());
     mkDir(dir);
     OFstream os(dir / "spectrum.dat");
-    os << "# k E" << endl;
+    os << "# k E" << nl << "# [1/m] [m^3/s^2]" << endl;
     label last = energy_.size() - 1;
     while (last > 1 && energy_[last] == 0)
     {
@@ -289,7 +291,8 @@ bool Foam::functionObjects::energySpectrum::write()
     }
 
     OFstream increments(dir / "structureFunctions.dat");
-    increments << "# r longitudinal transverse" << endl;
+    increments << "# r longitudinal transverse" << nl
+               << "# [m] [m^2/s^2] [m^2/s^2]" << endl;
     const scalar h = cmptMin(grid_.h());
     for (label i = 1; 2 * i * h <= cmptMin(grid_.length()) * (1 + SMALL); ++i)
     {

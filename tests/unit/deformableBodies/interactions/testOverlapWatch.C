@@ -140,3 +140,30 @@ TEST(OverlapWatch, nuclei)
         EXPECT_EQ(watch.nOverlaps(), nucleus); // the second is above the first
     }
 }
+
+// A fibre crosses a surface if points of it lie before and behind that
+TEST(OverlapWatch, fibresThroughSurfaces)
+{
+    if (Pstream::parRun()) return;
+    const scalar h = cmptMin(grid().h());
+    for (const bool crosses : {true, false})
+    {
+        row r(scalarField(scalarList({0, 0.3 * h, (crosses ? -0.4 : 0.8) * h})),
+              2 * h);
+        const labelList body({-1, 1, 1});
+        r.pairs.search(r.X, body);
+        const List<interactingPoint> points(
+            {interactingPoint{sqr(h), 0}, interactingPoint{sqr(h), 0.2 * h},
+             interactingPoint{sqr(h), 0.2 * h}});
+        overlapWatch watch(test::mesh().time(), nameOf, noHost, false);
+        watch.begin();
+        watch.look(r.pairs, points);
+        EXPECT_TRUE(watch.surfacesTouch());
+        vectorField areas(3, Zero);
+        areas[0].z() = sqr(h);
+        watch.lookBehind(r.pairs, areas);
+        watch.settle();
+        EXPECT_EQ(watch.nOverlaps(), label(crosses));
+        EXPECT_NEAR(watch.deepest(), crosses ? 0.4 * h : 0, 1e-12 * h);
+    }
+}

@@ -1,6 +1,6 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
-#include "wallSides.H"
+#include "boxSides.H"
 #include "dictionaryChecks.H"
 #include "fixedValueFvPatchFields.H"
 #include "noSlipFvPatchVectorField.H"
@@ -43,21 +43,6 @@ Foam::boxSides(const uniformGrid& grid)
         }
     }
     return sides;
-}
-
-Foam::FixedList<Foam::FixedList<bool, 2>, 3>
-Foam::wallSides(const uniformGrid& grid)
-{
-    const auto sides(boxSides(grid));
-    FixedList<FixedList<bool, 2>, 3> walls;
-    for (direction d = 0; d < 3; ++d)
-    {
-        for (label s = 0; s < 2; ++s)
-        {
-            walls[d][s] = sides[d][s].closed;
-        }
-    }
-    return walls;
 }
 
 void Foam::requireWalls(const uniformGrid& grid, const bool all)
