@@ -210,32 +210,22 @@ void Foam::bodyCollection::stop()
 {
     const Time& time = system_.mesh.time();
     const string sentence(firstOf(trouble_.sentence));
-    string what, remedy;
-    switch (trouble_.fate)
-    {
-    case boxChecks::LEFT:
-        what = "left the box";
-        remedy = "\"outside remove;\" in its group, with which the run goes "
-                 "on without it";
-        break;
-    case boxChecks::PRESSED:
-        what = "was pressed through a wall";
-        remedy = "from an earlier time, a smaller " + stepEntry(time) +
-                 " with a larger strength of repulsion, or of collision "
-                 "for fibres; \"outside remove;\" in its group, with which "
-                 "the run goes on without it";
-        break;
-    default:
-        what = "diverged";
-        remedy = "from an earlier time, a smaller " + string(stepEntry(time));
-    }
+    const bool left = trouble_.fate == boxChecks::LEFT;
+    const bool pressed = trouble_.fate == boxChecks::PRESSED;
+    const char* what = left      ? "left the box"
+                       : pressed ? "was pressed through a wall"
+                                 : "diverged";
+    string remedy("from an earlier time, a smaller " + stepEntry(time));
+    if (left) remedy = "\"outside remove;\" in its group";
+    if (pressed)
+        remedy += " with a larger strength of repulsion (fibres: collision)";
     lastStep::writeBeforeStop(time, trouble_.outside() ? string() : sentence);
     waitForMaster();
-    FatalErrorInFunction << "a body " << what.c_str() << " at time "
-                         << time.timeName() << ": " << sentence.c_str() << nl
+    FatalErrorInFunction << "a body " << what << " at time " << time.timeName()
+                         << ": " << sentence.c_str() << nl
                          << "    allowed: " << remedy.c_str() << nl
-                         << "    The bodies have been written to time "
-                         << time.timeName() << exit(FatalError);
+                         << "    Bodies are written to this time"
+                         << exit(FatalError);
 }
 
 Foam::string Foam::bodyCollection::nearest(const point& x) const

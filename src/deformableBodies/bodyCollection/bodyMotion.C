@@ -239,24 +239,6 @@ void Foam::bodyMotion::move(const labelUList& groups,
     interactions->travel(1.5 * step.dt * fastest);
 }
 
-Foam::vector Foam::bodyMotion::unbalanced(const vectorField& F,
-                                          const labelUList& groups) const
-{
-    const bool driven = system_.isDriven();
-    vector all(Zero);
-    label first = 0;
-    for (const label g : groups)
-    {
-        const bodyGroup& group = system_.groups[g];
-        if (!group.twoWay()) continue;
-        const label n = group.nMarkers();
-        if (!driven || !group.isHeld())
-            all += sum(SubField<vector>(F, n, first));
-        first += n;
-    }
-    return returnReduce(all, sumOp<vector>());
-}
-
 Foam::staggeredTarget
 Foam::bodyMotion::perMass(const staggeredTarget& force) const
 {
@@ -270,7 +252,7 @@ void Foam::bodyMotion::subtractMean(const staggeredTarget& force,
                                     const labelUList& groups) const
 {
     if (!system_.periodicBox()) return;
-    addUniform(-perMass(force).factor * unbalanced(F, groups) /
+    addUniform(-perMass(force).factor * system_.unbalanced(F, groups) /
                    system_.grid.volume(),
                system_.grid.box().size, force);
 }

@@ -132,6 +132,24 @@ bool Foam::bodySystem::isDriven() const
     return false;
 }
 
+Foam::vector Foam::bodySystem::unbalanced(const vectorField& F,
+                                          const labelUList& which) const
+{
+    const bool driven = isDriven();
+    vector all(Zero);
+    label first = 0;
+    for (const label g : which)
+    {
+        const bodyGroup& group = groups[g];
+        if (!group.twoWay()) continue;
+        const label n = group.nMarkers();
+        if (!driven || !group.isHeld())
+            all += sum(SubField<vector>(F, n, first));
+        first += n;
+    }
+    return returnReduce(all, sumOp<vector>());
+}
+
 Foam::vector Foam::bodySystem::forceByHeld() const
 {
     vector sum(Zero);

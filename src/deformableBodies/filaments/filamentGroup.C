@@ -209,13 +209,13 @@ void Foam::filamentGroup::checkSize(const dictionary& dict) const
         ratios.append(
             {"diameter",
              "diameter/(diameter that the fluid feels, " +
-                 Foam::name(thickness_ / h_) + " h)",
-             diameter / thickness_, 0, 3, 0.5, 1.5,
-             diameter > thickness_
+                 Foam::name(effectiveDiameter_ / h_) + " h)",
+             diameter / effectiveDiameter_, 0, 3, 0.5, 1.5,
+             diameter > effectiveDiameter_
                  ? "the drag is that of a thinner fibre: use larger cells"
                  : "the drag is that of a thicker fibre, only mass and weight "
                    "are those of the diameter: use cells of " +
-                       Foam::name(diameter * h_ / thickness_) +
+                       Foam::name(diameter * h_ / effectiveDiameter_) +
                        ", or coupling oneWay, where drag is that of the "
                        "diameter"});
     }

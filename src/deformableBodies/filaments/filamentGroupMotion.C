@@ -87,9 +87,9 @@ void Foam::filamentGroup::surround(const label i, const vector* U,
     const label n = points_.size();
     around.force = Zero;
     around.stiffness = Zero;
-    const scalar gain = twoWay()
-                            ? forcingGain(s)
-                            : drag_ * properties_.length / max(n, label(1));
+    const scalar gain =
+        twoWay() ? forcingGain(s)
+                 : dragAcross_ * properties_.length / max(n, label(1));
     around.drag = gain;
     if (couple_) around.couple = couple_->K();
     if (twoWay()) shareAmongLines(lineDensity, around);

@@ -40,7 +40,7 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
     properties_.length = readPositive(dict, "length", dimLength);
     const scalar diameter = readPositive(dict, "diameter", dimLength);
     crossSection_ = 0.25 * constant::mathematical::pi * sqr(diameter);
-    thickness_ =
+    effectiveDiameter_ =
         twoWay() ? 2 * markerLine::radius(scene.kernel) * h_ : diameter;
     readSegments(dict);
     forcing_ = twoWay() ? forcingType::ofLines : forcingType::none;
@@ -60,9 +60,9 @@ Foam::filamentGroup::filamentGroup(const word& name, const dictionary& dict,
     readStart(dict);
     checkSize(dict);
 
-    const scalar fraction = nBodies() * properties_.length * 0.25 *
-                            constant::mathematical::pi * sqr(thickness_) /
-                            cmptProduct(scene.grid.length());
+    const scalar fraction =
+        nBodies() * properties_.length * 0.25 * constant::mathematical::pi *
+        sqr(effectiveDiameter_) / cmptProduct(scene.grid.length());
     scene_.effects.declare("filament", true,
                            Foam::name(nBodies()) + " filaments of " +
                                Foam::name(properties_.segments) +
@@ -135,7 +135,7 @@ void Foam::filamentGroup::readMass(const dictionary& dict)
     }
     properties_.mass =
         (ratio - (twoWay() ? 1 : 0)) * crossSection_ * scene_.rho;
-    swings_ = withoutFluid() && entries.gravity();
+    isPendulum_ = withoutFluid() && entries.gravity();
     entries.addWeight(entries.gravity(), ratio - (withoutFluid() ? 0 : 1));
     properties_.scheme =
         readEnum(schemeNames, dict, "scheme", filament::IMPLICIT);
@@ -157,17 +157,16 @@ void Foam::filamentGroup::readStart(const dictionary& dict)
     }
     if (!dict.found("placement")) dict.get<vectorField>("directions");
     const scalar L0 = properties_.length;
-    start_ =
-        groupEntries(name(), dict, scene_)
-            .start({(0.5 * thickness_ + mag(bow_)) * vector::one, 0.5 * L0},
-                   L0 * 0.25 * constant::mathematical::pi * sqr(thickness_),
-                   -0.5 * L0, vector(1, 0, 0), twoWay());
+    start_ = groupEntries(name(), dict, scene_)
+                 .start({(0.5 * effectiveDiameter_ + mag(bow_)) * vector::one,
+                         0.5 * L0},
+                        L0 * 0.25 * constant::mathematical::pi *
+                            sqr(effectiveDiameter_),
+                        -0.5 * L0, vector(1, 0, 0), twoWay());
     scalar shortest = GREAT;
     for (direction d = 0; d < 3; ++d)
-    {
         if (scene_.grid.periodic(d))
             shortest = min(shortest, scene_.grid.length()[d]);
-    }
     if (properties_.length > 0.5 * shortest)
     {
         IOWarningInFunction(dict)
@@ -217,11 +216,11 @@ void Foam::filamentGroup::readCoupling(const dictionary& dict)
     }
 
     const scalar pi = constant::mathematical::pi, L = properties_.length;
-    const scalar slender = std::log(2 * L / thickness_);
+    const scalar slender = std::log(2 * L / effectiveDiameter_);
     if (twoWay() ? L < 3 * h_ * (1 - 1e-9) : slender < 1.807)
     {
         refuse(dict, twoWay() ? "length" : "diameter",
-               Foam::name(twoWay() ? L : thickness_),
+               Foam::name(twoWay() ? L : effectiveDiameter_),
                twoWay() ? "3 cells and more, " + Foam::name(3 * h_) +
                               " m here, as it is 1.5 to 2 cells thick"
                         : "less than " + Foam::name(2 * L / std::exp(1.807)) +
@@ -245,8 +244,9 @@ void Foam::filamentGroup::readCoupling(const dictionary& dict)
     }
     else
     {
-        drag_ = 4 * pi * scene_.mu / (slender + 0.193);
-        properties_.dragRatio = 2 * pi * scene_.mu / (slender - 0.807) / drag_;
+        dragAcross_ = 4 * pi * scene_.mu / (slender + 0.193);
+        properties_.dragRatio =
+            2 * pi * scene_.mu / (slender - 0.807) / dragAcross_;
         makePoints(properties_.segments, 0.5 * properties_.ds());
     }
 
@@ -257,10 +257,11 @@ void Foam::filamentGroup::makeCouple(const dictionary& dict, const scalar inset)
 {
     const scalar L = properties_.length;
     const bool on =
-        dict.getOrDefault<bool>("thicknessCouple", L < 50 * thickness_);
+        dict.getOrDefault<bool>("thicknessCouple", L < 50 * effectiveDiameter_);
     if (on)
     {
-        const scalar r = L / thickness_, re = 1.24 * r / std::sqrt(std::log(r));
+        const scalar r = L / effectiveDiameter_,
+                     re = 1.24 * r / std::sqrt(std::log(r));
         const label N = properties_.segments;
         const scalar ds = properties_.ds();
         if (twoWay() && ds > 9 * h_)
@@ -270,19 +271,19 @@ void Foam::filamentGroup::makeCouple(const dictionary& dict, const scalar inset)
                        " and more with thicknessCouple, whose points are to be "
                        "no more than nine cells apart");
         }
-        couple_.reset(twoWay()
-                          ? new thicknessCouple(N, ds, inset, scene_.kernel,
-                                                scene_.mu, h_)
-                          : new thicknessCouple(N, ds, inset,
-                                                drag_ * sqr(L / re) / 12, h_));
+        couple_.reset(
+            twoWay() ? new thicknessCouple(N, ds, inset, scene_.kernel,
+                                           scene_.mu, h_)
+                     : new thicknessCouple(N, ds, inset,
+                                           dragAcross_ * sqr(L / re) / 12, h_));
         couple_->setWalls(scene_.grid);
     }
-    scene_.effects.declare("thicknessCouple", on,
-                           Foam::name(L / thickness_) + " diameters of " +
-                               (twoWay()
-                                    ? Foam::name(thickness_ / h_) + " cells"
-                                    : Foam::name(thickness_) + " m") +
-                               " long");
+    scene_.effects.declare(
+        "thicknessCouple", on,
+        Foam::name(L / effectiveDiameter_) + " diameters of " +
+            (twoWay() ? Foam::name(effectiveDiameter_ / h_) + " cells"
+                      : Foam::name(effectiveDiameter_) + " m") +
+            " long");
 }
 
 void Foam::filamentGroup::makePoints(const label n, const scalar inset)

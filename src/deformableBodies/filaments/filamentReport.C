@@ -13,17 +13,19 @@ Foam::string Foam::filamentReport::describe() const
     OStringStream os;
     os.precision(4);
     os << group_.nBodies() << " of length L " << L << ", L/h " << L / group_.h_
-       << ", diameter/h " << group_.thickness_ / group_.h_ << ", L/diameter "
-       << L / group_.thickness_ << ", volume fraction "
+       << ", diameter/h " << group_.effectiveDiameter_ / group_.h_
+       << ", L/diameter " << L / group_.effectiveDiameter_
+       << ", volume fraction "
        << group_.nBodies() * L * 0.25 * constant::mathematical::pi *
-              sqr(group_.thickness_) / cmptProduct(group_.scene_.grid.length());
+              sqr(group_.effectiveDiameter_) /
+              cmptProduct(group_.scene_.grid.length());
     if (group_.withoutFluid()) return os.str();
     const scalar nL3 =
         group_.nBodies() * pow3(L) / cmptProduct(group_.scene_.grid.length());
     os << ", n L^3 " << nL3
-       << (nL3 < 1                       ? " (dilute)"
-           : nL3 < L / group_.thickness_ ? " (semi-dilute)"
-                                         : " (concentrated)")
+       << (nL3 < 1                               ? " (dilute)"
+           : nL3 < L / group_.effectiveDiameter_ ? " (semi-dilute)"
+                                                 : " (concentrated)")
        << ", density ratio " << group_.points(-1).densityRatio;
     if (flow.rate > 0)
     {
@@ -83,7 +85,7 @@ Foam::expectedErrors Foam::filamentReport::errors() const
                                     group_.scene_.duration,
                                     group_.nBodies() > 1 ? flow.rate : 0));
     }
-    else if (group_.swings_)
+    else if (group_.isPendulum_)
     {
         e.parts.push_back(ofSwing(std::sqrt(mag(group_.scene_.g) /
                                             group_.properties_.length)));

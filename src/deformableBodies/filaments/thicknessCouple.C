@@ -10,12 +10,12 @@
 Foam::thicknessCouple::thicknessCouple(const label segments, const scalar ds,
                                        const scalar inset, const scalar K,
                                        const scalar h)
-    : segments_(segments),
-      stations_(min(
+    : nSegments_(segments),
+      nStations_(min(
           segments,
           max(label(1), label(segments * ds / (6 * h) * (1 + 1e-6) + 0.5)))),
       ds_(ds),
-      radius_(1.5 * h),
+      pointDistance_(1.5 * h),
       K_(segments)
 {
     forAll(K_, i)
@@ -35,9 +35,9 @@ Foam::thicknessCouple::thicknessCouple(const label segments, const scalar ds,
                           sqr(h * markerLine::radius(kernel)),
                       h)
 {
-    const scalar apart = segments * ds / stations_;
-    ownShear_ =
-        1.5 * sqr(radius_ / h) * ownShear(kernel, apart / h) / (mu * apart);
+    const scalar apart = segments * ds / nStations_;
+    ownShear_ = 1.5 * sqr(pointDistance_ / h) * ownShear(kernel, apart / h) /
+                (mu * apart);
 }
 
 void Foam::thicknessCouple::setWalls(const uniformGrid& grid)
@@ -70,7 +70,7 @@ Foam::thicknessCouple::frameAt(const vectorField& X, const label station) const
     // step. Walls matter within 3.5 cells, the reach of points and kernel
     const point x(0.5 * (X[first(station)] + X[first(station + 1)]));
     vector a(mag(f.t.x()) < 0.7 ? vector(1, 0, 0) : vector(0, 1, 0));
-    scalar least = 3.5 / 1.5 * radius_;
+    scalar least = 3.5 / 1.5 * pointDistance_;
     for (direction d = 0; d < 3; ++d)
     {
         const scalar lower = x[d] - walls_.min()[d],
@@ -92,14 +92,14 @@ Foam::thicknessCouple::frameAt(const vectorField& X, const label station) const
 void Foam::thicknessCouple::markers(const vectorField& X, List<frame>& frames,
                                     vector* points) const
 {
-    frames.setSize(stations_);
+    frames.setSize(nStations_);
     forAll(frames, j)
     {
         frames[j] = frameAt(X, j);
         const vector centre(0.5 * (X[first(j)] + X[first(j + 1)]));
         for (const vector& e : frames[j].e)
         {
-            *points++ = centre + radius_ * e;
+            *points++ = centre + pointDistance_ * e;
         }
     }
 }
@@ -108,7 +108,7 @@ void Foam::thicknessCouple::shear(const List<frame>& frames,
                                   const scalarField& K, const vector* U,
                                   const vector* F, vectorField& g) const
 {
-    g.setSize(segments_);
+    g.setSize(nSegments_);
     forAll(frames, j)
     {
         const frame& f = frames[j];
@@ -124,7 +124,7 @@ void Foam::thicknessCouple::shear(const List<frame>& frames,
         {
             scalar u = *U++ & f.t;
             if (F) u -= own * (*F++ & f.t);
-            gradient += 2.0 / 3 / radius_ * u * e;
+            gradient += 2.0 / 3 / pointDistance_ * u * e;
         }
         std::fill(&g[first(j)], g.data() + first(j + 1), gradient);
     }
@@ -146,7 +146,7 @@ void Foam::thicknessCouple::forces(const List<frame>& frames,
         for (const vector& e : f.e)
         {
             // Mean of the force of this and the last step: see the header
-            const scalar now = 2.0 / 3 / radius_ * (dipole & e);
+            const scalar now = 2.0 / 3 / pointDistance_ * (dipole & e);
             *F = 0.5 * (now + (*F & f.t)) * f.t;
             ++F;
         }

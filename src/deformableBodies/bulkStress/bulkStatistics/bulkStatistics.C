@@ -29,8 +29,12 @@ Foam::scalarField Foam::bulkStatistics::forces(const direction f,
     staggeredField faces(system_.grid.box());
     system_.spreadLoads(identity(system_.groups.size()), faces);
     scalarField sums(system_.grid.n()[g], Zero);
-    faces.box().cells([&](const label i, const labelVector& cell)
-                      { sums[cell[g]] += faces[f][i]; });
+    // Cells of this rank only: boxes of ranks may overlap
+    const uniformGrid& grid = system_.grid;
+    forAll(grid.index(), celli)
+    {
+        sums[grid.ijk(celli)[g]] += faces[f][grid.index()[celli]];
+    }
     sums *= system_.grid.cellVolume();
     sumOverRanks(sums);
     return sums;

@@ -135,9 +135,9 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
     }
     isShear(sides);
     const scalar H = system.grid.length()[sides.gradient];
-    Info << "Bulk stress: the stress of the sides takes "
-         << Foam::name(sqr(H / constant::mathematical::pi) / system.nu->value())
-         << " s to settle, H^2/(pi^2 nu)" << nl << endl;
+    settling_ = sqr(0.5 * H / constant::mathematical::pi) / system.nu->value();
+    Info << "Bulk stress: the flow takes " << Foam::name(settling_)
+         << " s to settle, H^2/(4 pi^2 nu); means leave them out" << nl << endl;
 }
 
 void Foam::bulkStress::checkEntries(const dictionary& dict) const

@@ -99,8 +99,10 @@ void Foam::bulkStress::writeState(Ostream& os) const
 
 Foam::label Foam::bulkStress::firstBlock() const
 {
-    return startAverage_ > -GREAT ? means_.firstFrom(startAverage_)
-                                  : means_.afterTransient(0);
+    if (startAverage_ > -GREAT) return means_.firstFrom(startAverage_);
+    const label settled =
+        means_.nBlocks() ? means_.firstFrom(means_.start(0) + settling_) : 0;
+    return max(settled, means_.afterTransient(0));
 }
 
 void Foam::bulkStress::writeAverages()

@@ -38,9 +38,7 @@ Foam::wordList Foam::groupStatistics::namesOfQuantities() const
 {
     DynamicList<word> all;
     for (label c = nCentreColumns; c < columns_.size(); ++c)
-    {
         all.append(columns_[c]);
-    }
     if (axis_ >= 0)
     {
         for (const word name :
@@ -64,9 +62,7 @@ Foam::boolList Foam::groupStatistics::anglesAmong(const label n) const
     for (const bodyColumn& column : group_.report().columns())
     {
         if (c >= nCentreColumns)
-        {
             angles[c - nCentreColumns] = column.unit == "degrees";
-        }
         ++c;
     }
     return angles;

@@ -64,9 +64,8 @@ Foam::functionObjects::energySpectrum::energySpectrum(const word& name,
         table_()
             << "# time kineticEnergy dissipation rms taylorLength ReLambda "
             << "integralLength kolmogorovLength turnoverTime skewness "
-            << "forcingPower" << nl
-            << "# [s] [m^2/s^2] [m^2/s^3] [m/s] [m] [1] [m] [m] [s] [1] "
-            << "[m^2/s^3]" << endl;
+            << "forcingPower\n# [s] [m^2/s^2] [m^2/s^3] [m/s] [m] [1] [m] [m] "
+            << "[s] [1] [m^2/s^3]" << endl;
     }
 }
 
@@ -282,9 +281,7 @@ bool Foam::functionObjects::energySpectrum::write()
     os << "# k E" << nl << "# [1/m] [m^3/s^2]" << endl;
     label last = energy_.size() - 1;
     while (last > 1 && energy_[last] == 0)
-    {
         --last;
-    }
     for (label s = 1; s <= last; ++s)
     {
         os << s * dk_ << ' ' << energy_[s] / dk_ << endl;
