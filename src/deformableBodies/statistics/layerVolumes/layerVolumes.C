@@ -25,6 +25,21 @@ struct layers
     }
 };
 
+//- Mean velocity of the volume in a closed surface [m/s]: INT x u.dS/V
+vector velocityOfVolume(const bodyPoints& p)
+{
+    const point centre(average(p.positions));
+    vector flux(Zero);
+    scalar volume = 0;
+    forAll(p.positions, k)
+    {
+        const vector r(p.positions[k] - centre);
+        flux += (p.velocities[k] & p.areas[k]) * r;
+        volume += (r & p.areas[k]) / 3;
+    }
+    return flux / volume;
+}
+
 void addSurface(const bodyPoints& p, const layers& all, const direction g,
                 scalarField& volume, vectorField& momentum)
 {
@@ -34,7 +49,7 @@ void addSurface(const bodyPoints& p, const layers& all, const direction g,
         least = min(least, x[g]);
         most = max(most, x[g]);
     }
-    const vector velocity(p.velocities.size() ? average(p.velocities)
+    const vector velocity(p.velocities.size() ? velocityOfVolume(p)
                                               : vector::zero);
     for (label j = all.of(least); j <= all.of(most); ++j)
     {
