@@ -251,7 +251,7 @@ class View:
 
         # Numbers of small and large boxes are over a power of thousand, beside the name
         power = 3 * int(np.floor(np.log10((high - low).max()) / 3))
-        unit = 1.0 if -3 < power < 6 else 10.0**power
+        unit = 1.0 if -3 <= power < 6 else 10.0**power
         middle, out = 0.5 * (low + high), 0.14 * (high - low).max()
         left = low[0] - (1 if unit == 1 else 1.8) * out
         places = {"x": (middle[0], low[1] - out, high[2]), "y": (left, middle[1], high[2]),

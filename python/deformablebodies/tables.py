@@ -105,7 +105,7 @@ def records(file):
 
 
 def profiles(file):
-    """Table of profiles.dat of phaseProfiles, whose columns are named on a later line."""
+    """Table of profiles.dat of phaseProfiles; the line with the names need not be the first."""
     with open(file) as f:
         names = next(line for line in f if line.startswith("#") and " velocityX " in line).split()[1:]
     return Table(names=names, rows=np.loadtxt(file, ndmin=2))

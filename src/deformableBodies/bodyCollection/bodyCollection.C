@@ -215,10 +215,11 @@ void Foam::bodyCollection::stop()
     const char* what = left      ? "left the box"
                        : pressed ? "was pressed through a wall"
                                  : "diverged";
-    string remedy("from an earlier time, a smaller " + stepEntry(time));
+    string remedy("an earlier time with a smaller " + stepEntry(time));
     if (left) remedy = "\"outside remove;\" in its group";
     if (pressed)
-        remedy += " with a larger strength of repulsion (fibres: collision)";
+        remedy += " and a larger strength of repulsion (of fibres: collision), "
+                  "or \"outside remove;\" in its group";
     lastStep::writeBeforeStop(time, trouble_.outside() ? string() : sentence);
     waitForMaster();
     FatalErrorInFunction << "a body " << what << " at time " << time.timeName()

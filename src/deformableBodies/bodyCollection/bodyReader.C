@@ -109,14 +109,13 @@ void Foam::bodyReader::readFluid()
     system_.nu.reset(new fluidViscosity(mesh, transport_, dict_));
     dictionary saved;
     fileName file;
+    if (mesh.time().value() == 0) return;
     bool continues = false;
     for (const entry& group : dict_.subOrEmptyDict("bodies"))
     {
         continues = continues || restartOf(group.keyword()) != "initial";
     }
-    if (mesh.time().value() == 0 || !continues ||
-        !bodyStateFile::read(mesh, saved, file))
-        return;
+    if (!continues || !bodyStateFile::read(mesh, saved, file)) return;
     const dictionary before(saved.subOrEmptyDict(bodyStateFile::allGroups));
     if (system_.nu->isMean() && before.found("nu"))
     {
@@ -140,7 +139,8 @@ Foam::word Foam::bodyReader::restartOf(const word& group) const
     for (const entry& e : bodies)
     {
         const word name(e.keyword());
-        if (e.isDict() && (name == group || nucleiOf(name) == group))
+        if (e.isDict() && (name == group || (e.dict().found("nucleus") &&
+                                             nucleiOf(name) == group)))
             return e.dict().getOrDefault<word>("restart", all);
     }
     return all;

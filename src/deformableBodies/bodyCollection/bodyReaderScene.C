@@ -18,7 +18,7 @@ Foam::bodyScene Foam::bodyReader::scene(const flowScales& flow) const
             flow,
             readGravity(),
             largestDeltaT(),
-            likelyDeltaT(),
+            likelyDeltaT(flow),
             system_.adjustsStep(),
             flowDeltaT(),
             time.startTime().value(),
@@ -51,18 +51,19 @@ Foam::scalar Foam::bodyReader::largestDeltaT() const
         "maxDeltaT", system_.solverBalances ? 0 : GREAT);
 }
 
-Foam::scalar Foam::bodyReader::likelyDeltaT() const
+Foam::scalar Foam::bodyReader::likelyDeltaT(const flowScales& flow) const
 {
-    const scalar most = largestDeltaT(), byFlow = CourantDeltaT(GREAT);
+    const scalar most = largestDeltaT(), byFlow = CourantDeltaT(flow, GREAT);
     return most > 0 ? min(most, byFlow) : byFlow;
 }
 
-Foam::scalar Foam::bodyReader::CourantDeltaT(const scalar most) const
+Foam::scalar Foam::bodyReader::CourantDeltaT(const flowScales& flow,
+                                             const scalar most) const
 {
-    if (!system_.adjustsStep() || system_.flow.speed <= 0) return GREAT;
+    if (!system_.adjustsStep() || flow.speed <= 0) return GREAT;
     const dictionary& control = system_.mesh.time().controlDict();
     return min(control.getOrDefault<scalar>("maxCo", 1), most) *
-           cmptMin(system_.grid.h()) / system_.flow.speed;
+           cmptMin(system_.grid.h()) / flow.speed;
 }
 
 Foam::scalar Foam::bodyReader::flowDeltaT() const
@@ -70,7 +71,7 @@ Foam::scalar Foam::bodyReader::flowDeltaT() const
     if (largestDeltaT() > 0) return 0;
     if (system_.flowDeltaT >= 0) return system_.flowDeltaT;
     const scalar rate = system_.flow.rate;
-    scalar dt = system_.flow.speed > 0 ? CourantDeltaT(0.5) : 0;
+    scalar dt = system_.flow.speed > 0 ? CourantDeltaT(system_.flow, 0.5) : 0;
     if (rate > 0) dt = min(dt, 0.04 / rate);
     return system_.flowDeltaT = dt;
 }

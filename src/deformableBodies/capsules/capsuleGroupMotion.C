@@ -124,7 +124,7 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
             startAt(c);
             continue;
         }
-        motion_->beforeMove(c, dt, r);
+        motion_->beforeMove(c, dt);
         const scalar displacement = moveTo(c, next);
         if (twoWay()) motion_->setLoad(c);
         if (s.unsteady)

@@ -39,8 +39,7 @@ void Foam::penaltyMotion::start(capsule& c) const
     }
 }
 
-void Foam::penaltyMotion::beforeMove(capsule& c, const scalar dt,
-                                     const scalar) const
+void Foam::penaltyMotion::beforeMove(capsule& c, const scalar dt) const
 {
     const auto timing(effects_.time("penalty"));
 

@@ -27,7 +27,7 @@ void spend(const scalar seconds)
 } // namespace
 
 // The inner effect takes at least what is spent in it, the outer one at most the rest
-TEST(EffectLedger, timeOfAnInnerEffectIsItsOwn)
+TEST(EffectTable, timeOfAnInnerEffectIsItsOwn)
 {
     const Time& time = test::mesh().time();
     const fileName folder(time.globalPath() / "postProcessing" / "table");

@@ -137,7 +137,9 @@ Foam::bulkStress::bulkStress(const dictionary& dict, const bodySystem& system,
     const scalar H = system.grid.length()[sides.gradient];
     settling_ = sqr(0.5 * H / constant::mathematical::pi) / system.nu->value();
     Info << "Bulk stress: the flow takes " << Foam::name(settling_)
-         << " s to settle, H^2/(4 pi^2 nu); means leave them out" << nl << endl;
+         << " s to settle, H^2/(4 pi^2 nu)"
+         << (startAverage_ > -GREAT ? "" : "; means begin after that") << nl
+         << endl;
 }
 
 void Foam::bulkStress::checkEntries(const dictionary& dict) const

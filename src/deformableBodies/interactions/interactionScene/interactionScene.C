@@ -26,8 +26,9 @@ Foam::interactionScene::of(const fvMesh& mesh, const PtrList<bodyGroup>& groups,
         0,
         GREAT,
         List<contactLoad>(),
-        nearField,
         nearField};
+    all.adjusted = scene.adjusted && scene.forceAtFaces;
+    all.films = nearField;
     forAll(groups, g)
     {
         if (!takesPart(groups[g])) continue;

@@ -146,6 +146,7 @@ void Foam::overlapWatch::lookAtLines(const closePairs& pairs,
             nearest.insert({{p.first, body[p.second]}, p}).first->second;
         if (magSqr(p.r) < magSqr(next.r)) next = p;
     }
+    if (returnReduce(nearest.empty(), andOp<bool>())) return;
     const auto cosine = [&](const closePairs::pair& p)
     {
         const vector& n = areas[p.second];
