@@ -50,7 +50,7 @@ Foam::wordList Foam::groupStatistics::namesOfQuantities() const
     }
     if (magSqr(settings_.referenceVelocity) > 0 && velocity_ >= 0)
     {
-        all.append("velocityOverAlone");
+        all.append("velocityOverReference");
     }
     return wordList(std::move(all));
 }
