@@ -102,10 +102,3 @@ def records(file):
     """Rows of a .csv file as dictionaries of words by column; lines that begin with # are left out."""
     with open(file) as f:
         return list(csv.DictReader(line for line in f if not line.startswith("#")))
-
-
-def profiles(file):
-    """Table of profiles.dat of phaseProfiles; the line with the names need not be the first."""
-    with open(file) as f:
-        names = next(line for line in f if line.startswith("#") and " velocityX " in line).split()[1:]
-    return Table(names=names, rows=np.loadtxt(file, ndmin=2))
