@@ -59,7 +59,7 @@ trap 'rm -rf "$scratch"' EXIT
 lost=$scratch/lost
 : > "$lost"
 
-# check "what" command...: one test, passed if the command succeeds
+# check "what" command...: one test, passed if the command succeeds; its status
 check()
 {
     local what=$1
@@ -71,6 +71,7 @@ check()
     else
         echo "FAIL: $what"
         failed=$((failed + 1))
+        return 1
     fi
 }
 
@@ -86,10 +87,14 @@ below()
 finish()
 {
     failed=$((failed + $(wc -l < "$lost")))
+    [ $((passed + failed)) -gt 0 ] || check "something is tested: a scene of that name, or a run that was kept" false
     echo "$passed passed, $failed failed"
     [ "$failed" -eq 0 ]
     exit
 }
+
+# allPassed: nothing has failed so far
+allPassed() { [ "$failed" -eq 0 ] && [ ! -s "$lost" ]; }
 
 # notChanged "what": a failure, since what follows would test something else
 notChanged()
@@ -253,11 +258,11 @@ seconds() { awk '/^ExecutionTime/ { s = $3 } END { print s }' "$1"; }
 # relative <a> <b>: difference, relative to b
 relative() { awk -v a="$1" -v b="$2" 'BEGIN { d = a/b - 1; print d < 0 ? -d : d }'; }
 
-# column <name> <file>: of a .dat file of bodies
+# column <name> <file>: of a .dat file of bodies; nan where it has none of that name
 column()
 {
     awk -v c="$1" '/^#/ { for (i = 2; i <= NF; ++i) n[$i] = i - 1; next }
-        { print $n[c] }' "$2"
+        { print (c in n ? $n[c] : "nan") }' "$2"
 }
 
 # mpi -np <ranks> <command>...: within a quarter of an hour
@@ -344,7 +349,7 @@ sceneCase()
 }
 
 # peak <command>...: largest resident memory in bytes
-peak() { tool memory.largest "$@"; }
+peak() { tool memory.largest "$@" || notChanged "$* failed"; }
 
 # The shear case in here, periodic all round and at rest
 makePeriodic()

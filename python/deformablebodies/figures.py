@@ -32,9 +32,11 @@ plt.rcParams.update({
     "savefig.dpi": 130, "figure.constrained_layout.use": True, "pdf.fonttype": 42})
 
 
-def columns(n=1, height=3.3, width=3.9, rows=1, **options):
-    """A figure with n axes side by side, in one row or more, each of a width and height [inches]."""
-    return plt.subplots(rows, n, figsize=(n * width + (0.8 if n == 1 else 0), rows * height), **options)
+def columns(n=1, height=3.3, width=3.9, rows=1, widths=None, **options):
+    """A figure with n axes side by side, in one row or more, each of a width and height [inches]; widths:
+    their ratios."""
+    return plt.subplots(rows, n, figsize=(n * width + (0.8 if n == 1 else 0), rows * height),
+                        gridspec_kw={"width_ratios": widths}, **options)
 
 
 def shades(values):

@@ -60,7 +60,7 @@ def legend(ax):
 with open(sys.argv[1]) as f:
     table = list(csv.DictReader(line for line in f if not line.startswith("#")))
 widths = [len(stepsOf([s])) for s in ("default", "explicit", "penalty")]
-figure, axes = figures.columns(3, 1.85, 4.1, len(maps), gridspec_kw={"width_ratios": widths})
+figure, axes = figures.columns(3, 1.85, 4.1, len(maps), widths=widths)
 for axs, (name, label) in zip(axes, maps.items()):
     own = [r for r in table if r["map"] == name]
     schemes = [s for s in titles if any(r["scheme"] == s for r in own)]

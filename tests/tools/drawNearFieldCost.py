@@ -8,7 +8,7 @@ from deformablebodies import figures
 from deformablebodies.tables import records
 
 pairs = records(sys.argv[2])
-dense = records(sys.argv[3]) if os.path.exists(sys.argv[3]) else []
+dense = records(sys.argv[3]) if len(sys.argv) > 3 and os.path.exists(sys.argv[3]) else []
 figure, axes = figures.columns(2 if dense else 1)
 axes = list(axes) if dense else [axes]
 for between, style in (("on", "o-"), ("off", "s--")):

@@ -75,6 +75,11 @@ def agreement(*cells: int):
     return (*("%.3e" % x for x in d), "%.2f" % np.log2(d[0] / d[1]), "%.2e" % abs(g[0] / g[1] - 1))
 
 
+def rateOff(case):
+    """Departure of the mean velocity along x from 1, at time 0.48."""
+    return "%.1e" % abs(field(case + "/0.48/U")[:, 0].mean() - 1)
+
+
 def wallViscosity(half: float, cells: int):
     """Viscosity of a suspension between walls at rate 1 over that of the fluid, from the
     velocity beside the walls: mean over the times written from 2 on, its standard error,

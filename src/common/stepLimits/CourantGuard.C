@@ -4,6 +4,7 @@
 #include "dictionaryChecks.H"
 #include "fvc.H"
 #include "lastStep.H"
+#include "ofAllRanks.H"
 #include "volFields.H"
 
 namespace
@@ -27,15 +28,14 @@ point worstCell(const surfaceScalarField& phi)
         if (!std::isfinite(fast[worst])) break;
         if (!(fast[celli] <= fast[worst])) worst = celli;
     }
-    List<Tuple2<scalar, point>> all(Pstream::nProcs());
+    Tuple2<scalar, point> mine(0, point(Zero));
     if (fast.size())
     {
         const scalar f = fast[worst];
-        all[Pstream::myProcNo()] = Tuple2<scalar, point>(
-            std::isfinite(f) ? f : GREAT, phi.mesh().C()[worst]);
+        mine = Tuple2<scalar, point>(std::isfinite(f) ? f : GREAT,
+                                     phi.mesh().C()[worst]);
     }
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
+    const List<Tuple2<scalar, point>> all(ofAllRanks(mine));
     Tuple2<scalar, point> where(all[0]);
     for (const Tuple2<scalar, point>& one : all)
     {

@@ -134,9 +134,10 @@ void Foam::bodyReader::readFluid()
 
 Foam::word Foam::bodyReader::restartOf(const word& group) const
 {
-    const dictionary bodies(dict_.subOrEmptyDict("bodies"));
     const word all(dict_.getOrDefault<word>("restart", "continue"));
-    for (const entry& e : bodies)
+    const dictionary* bodies = dict_.findDict("bodies");
+    if (!bodies) return all;
+    for (const entry& e : *bodies)
     {
         const word name(e.keyword());
         if (e.isDict() && (name == group || (e.dict().found("nucleus") &&

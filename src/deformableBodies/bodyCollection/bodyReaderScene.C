@@ -10,26 +10,27 @@
 Foam::bodyScene Foam::bodyReader::scene(const flowScales& flow) const
 {
     const Time& time = system_.mesh.time();
-    return {system_.grid,
-            system_.markers->kernel(),
-            system_.solverBalances,
-            system_.rho,
-            system_.rho * system_.nu->value(),
-            flow,
-            readGravity(),
-            largestDeltaT(),
-            likelyDeltaT(flow),
-            system_.adjustsStep(),
-            flowDeltaT(),
-            time.startTime().value(),
-            time.endTime().value() - time.startTime().value(),
-            system_.accuracy,
-            readCoupling(dict_, bodyCoupling::twoWay),
-            removesOutside(dict_, false),
-            system_.forces,
-            system_.placed,
-            system_.effects,
-            system_.firstLoads};
+    bodyScene scene{system_.grid,
+                    system_.markers->kernel(),
+                    flow,
+                    system_.forces,
+                    system_.placed,
+                    system_.effects,
+                    system_.firstLoads};
+    scene.forceAtFaces = system_.solverBalances;
+    scene.rho = system_.rho;
+    scene.mu = system_.rho * system_.nu->value();
+    scene.g = readGravity();
+    scene.adjusted = system_.adjustsStep();
+    scene.deltaT = largestDeltaT();
+    scene.likelyDeltaT = likelyDeltaT(flow);
+    scene.flowDeltaT = flowDeltaT();
+    scene.startTime = time.startTime().value();
+    scene.duration = time.endTime().value() - scene.startTime;
+    scene.accuracy = system_.accuracy;
+    scene.coupling = readCoupling(dict_, bodyCoupling::twoWay);
+    scene.removesOutside = removesOutside(dict_, false);
+    return scene;
 }
 
 Foam::vector Foam::bodyReader::readGravity() const

@@ -3,6 +3,7 @@
 #include "startChecks.H"
 #include "dictionaryChecks.H"
 #include "mathematicalConstants.H"
+#include "ofAllRanks.H"
 #include "periodicBox.H"
 #include "pointBins.H"
 #include "segmentDistance.H"
@@ -140,7 +141,6 @@ void Foam::startChecks::appendContinuing(const label g,
 {
     const bodyGroup& group = groups_[g];
     if (!group.points(-1).isSurface()) return;
-    List<scalarList> numbers(Pstream::nProcs());
     DynamicList<scalar> here;
     forAll(group.mine(), i)
     {
@@ -153,10 +153,7 @@ void Foam::startChecks::appendContinuing(const label g,
         }
         here.append(std::sqrt(max(magSqr(X))));
     }
-    numbers[Pstream::myProcNo()] = here;
-    Pstream::gatherList(numbers);
-    Pstream::scatterList(numbers);
-    for (const scalarList& of : numbers)
+    for (const scalarList& of : ofAllRanks(scalarList(here)))
     {
         for (label k = 0; k + 4 < of.size(); k += 5)
         {

@@ -2,6 +2,7 @@
 
 #include "squeezeFilms.H"
 #include "mathematicalConstants.H"
+#include "ofAllRanks.H"
 #include "rigidGroup.H"
 #include <Eigen/SparseCholesky>
 #include <algorithm>
@@ -16,14 +17,10 @@ using namespace Foam;
 const scalar largestGap = 2, smallestGap = 0.02;
 
 //- Lists of numbers of all ranks, one after the other (collective)
-scalarList ofAllRanks(const DynamicList<scalar>& mine)
+scalarList joinedRanks(const DynamicList<scalar>& mine)
 {
-    List<scalarList> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = scalarList(mine);
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
     scalarList together;
-    for (const scalarList& one : all)
+    for (const scalarList& one : ofAllRanks(scalarList(mine)))
     {
         together.append(one);
     }
@@ -127,7 +124,7 @@ void Foam::squeezeFilms::share(std::vector<film>& films,
         own.append({scalar(f.a), scalar(f.b), f.n.x(), f.n.y(), f.n.z(), f.k,
                     f.apart});
     }
-    const scalarList allFilms(ofAllRanks(own));
+    const scalarList allFilms(joinedRanks(own));
     films.clear();
     for (label i = 0; i < allFilms.size(); i += 7)
     {
@@ -155,7 +152,7 @@ void Foam::squeezeFilms::share(std::vector<film>& films,
         const vector& V = x.second.velocity;
         own.append({scalar(x.first), V.x(), V.y(), V.z(), x.second.mobility});
     }
-    const scalarList allBodies(ofAllRanks(own));
+    const scalarList allBodies(joinedRanks(own));
     bodies.clear();
     for (label i = 0; i < allBodies.size(); i += 5)
     {

@@ -3,6 +3,7 @@
 #include "uniformGrid.H"
 #include "boxLattice.H"
 #include "dictionaryChecks.H"
+#include "ofAllRanks.H"
 #include "syncTools.H"
 #include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
@@ -280,12 +281,9 @@ Foam::List<Foam::labelVector> Foam::uniformGrid::cells() const
 
 Foam::List<Foam::cellBox> Foam::uniformGrid::allBoxes() const
 {
-    List<labelList> corners(Pstream::nProcs());
-    corners[Pstream::myProcNo()] =
-        labelList({box_.lo.x(), box_.lo.y(), box_.lo.z(), box_.size.x(),
-                   box_.size.y(), box_.size.z()});
-    Pstream::gatherList(corners);
-    Pstream::scatterList(corners);
+    const List<labelList> corners(
+        ofAllRanks(labelList({box_.lo.x(), box_.lo.y(), box_.lo.z(),
+                              box_.size.x(), box_.size.y(), box_.size.z()})));
 
     List<cellBox> boxes(Pstream::nProcs());
     forAll(boxes, proci)

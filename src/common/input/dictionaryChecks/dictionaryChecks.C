@@ -2,7 +2,7 @@
 
 #include "dictionaryChecks.H"
 #include "OSspecific.H"
-#include "Pstream.H"
+#include "ofAllRanks.H"
 #include <cctype>
 
 void Foam::waitForMaster()
@@ -169,11 +169,7 @@ const Foam::dictionary& Foam::readDictIfPresent(const dictionary& dict,
 
 Foam::string Foam::firstOf(const string& sentence)
 {
-    List<string> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = sentence;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-    for (const string& s : all)
+    for (const string& s : ofAllRanks(sentence))
     {
         if (!s.empty()) return s;
     }

@@ -3,6 +3,7 @@
 #include "overlapWatch.H"
 #include "dictionaryChecks.H"
 #include "lastStep.H"
+#include "ofAllRanks.H"
 #include <map>
 
 void Foam::overlapWatch::overlaps::include(const scalar deep, const label first,
@@ -155,18 +156,16 @@ void Foam::overlapWatch::lookAtLines(const closePairs& pairs,
 
     // Points of a line may be held by several ranks: number of the line, of the surface,
     // and the side
-    List<labelList> ofRanks(Pstream::nProcs());
+    labelList mine;
     for (const auto& of : nearest)
     {
         const closePairs::pair& p = of.second;
         if (mag(cosine(p)) < 0.5) continue;
-        ofRanks[Pstream::myProcNo()].append(
+        mine.append(
             labelList({body[p.first], body[p.second], label(cosine(p) > 0)}));
     }
-    Pstream::gatherList(ofRanks);
-    Pstream::scatterList(ofRanks);
     std::set<std::pair<label, label>> sides[2];
-    for (const labelList& of : ofRanks)
+    for (const labelList& of : ofAllRanks(mine))
     {
         for (label k = 0; k < of.size(); k += 3)
         {
