@@ -255,6 +255,9 @@ fibresLimit=1e-11
 # seconds <log>: processor time of a run
 seconds() { awk '/^ExecutionTime/ { s = $3 } END { print s }' "$1"; }
 
+# median <file>: of its numbers
+median() { sort -g "$1" | awk '{ x[NR] = $1 } END { print (x[int((NR + 1)/2)] + x[int(NR/2) + 1])/2 }'; }
+
 # relative <a> <b>: difference, relative to b
 relative() { awk -v a="$1" -v b="$2" 'BEGIN { d = a/b - 1; print d < 0 ? -d : d }'; }
 

@@ -2,6 +2,7 @@
 import glob
 import itertools
 import numpy as np
+from deformablebodies import Case
 
 
 def segments(p, q, r, s):
@@ -76,7 +77,7 @@ def gaps(first, second, diameter: float):
     """Time and gap over the diameter of two groups of one line each, for each picture: a
     line a picture."""
     import vtp
-    for time, file in vtp.series(first):
+    for time, file in Case().pictures(first):
         a, b = vtp.points(file), vtp.points(file.replace(first + "_", second + "_"))
         a, b = (refined(x, 20) for x in (a, b))
         print(time, (np.linalg.norm(a[:, None] - b[None], axis=-1).min() - diameter) / diameter)
@@ -168,7 +169,7 @@ def gap(group):
     """Least distance of a point of the first body from the surface of the second, of all
     pictures."""
     import vtp
-    pairs = [vtp.bodies(file) for _, file in vtp.series(group)]
+    pairs = [vtp.bodies(file) for _, file in Case().pictures(group)]
     return "%.4f" % min(-beyond(second, vtp.pointsOf(first), -1) for first, second in pairs)
 
 

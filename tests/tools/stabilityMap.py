@@ -16,6 +16,7 @@ import os
 import re
 import numpy as np
 import stability
+from deformablebodies.tables import records
 
 MAPS = {"stiffness": "Ca_G", "bending": "E_B/(a^2 Gs)", "viscosity": "viscosity ratio", "area": "Skalak C",
         "inertia": "Re", "density": "density ratio"}
@@ -91,21 +92,16 @@ def isHole(row):
     return int(row["allowed"]) and not float(row["error"]) < 0.1
 
 
-def read(file):
-    with open(file) as f:
-        return list(csv.DictReader(line for line in f if not line.startswith("#")))
-
-
 def count(file):
     """Number of cells."""
-    return len(read(file))
+    return len(records(file))
 
 
 def holes(file, most: float):
     """Number of cells within the limits of the log, at steps up to the most, that have stopped
     or are more than 10 % off without a warning."""
     return sum(isHole(r) and float(r["dt"]) <= most and (r["verdict"] == "stopped" or not r["why"])
-               for r in read(file))
+               for r in records(file))
 
 
 def cells(folder):

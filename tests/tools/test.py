@@ -335,7 +335,7 @@ def cellsOfTheMapAreJudgedInTheSecondHalf():
                 ("explicit.0.2", line * np.nan, {}), ("explicit.3", line[:4], dict(end=""))):
             mapRun(here + name, D, **words)
         said = stabilityMap.table(folder, folder + "/map.csv").split("\n")
-        rows = stabilityMap.read(folder + "/map.csv")
+        rows = stabilityMap.records(folder + "/map.csv")
         holes = [stabilityMap.holes(folder + "/map.csv", dt) for dt in (0.1, 0.2, 0.4, 3)]
         assert stabilityMap.count(folder + "/map.csv") == len(rows)
     assert [r["verdict"] for r in rows] == ["accurate", "fair", "off", "off", "accurate", "off", "stopped"], rows

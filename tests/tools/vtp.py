@@ -1,9 +1,9 @@
 """Pictures of bodies: files .vtp and their series."""
-import json
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkPolyDataConnectivityFilter, vtkTriangleFilter
+from deformablebodies import Case
 from deformablebodies.bodies3d import points, pointsOf, read
 
 
@@ -50,12 +50,6 @@ def bodies(file):
     return found
 
 
-def series(group, folder="postProcessing/VTK/bodies"):
-    """Times and files of a group's pictures."""
-    with open("%s/%s.vtp.series" % (folder, group)) as f:
-        return [(entry["time"], "%s/%s" % (folder, entry["name"])) for entry in json.load(f)["files"]]
-
-
 def counts(file):
     """Numbers of points, cells and pieces, and the largest |coordinate| of the middles of
     bodies."""
@@ -69,7 +63,7 @@ def counts(file):
 
 def lowest(group):
     """Least y of the last picture of a group."""
-    return points(series(group)[-1][1])[:, 1].min()
+    return points(Case().pictures(group)[-1][1])[:, 1].min()
 
 
 def tensionNoise(group, resolution: float):
@@ -77,7 +71,7 @@ def tensionNoise(group, resolution: float):
     (root mean square) from its mean within a cell, over that tension. resolution: cells
     per unit of length."""
     highest, noise = [], []
-    all = series(group)
+    all = Case().pictures(group)
     for _, file in all[len(all) // 2:]:
         data = read(file)
         x, T = pointsOf(data), array(data, "tension1")
