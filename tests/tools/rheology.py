@@ -140,20 +140,23 @@ def trends(table):
     claims = (
         ("viscosity of capsules rises with the fraction", 1, "viscosity", neighbours(capsules, "fraction"), 3),
         ("    falls with Ca at Re 0.1 and 1", -1, "viscosity", neighbours(capsules, "Ca", Re=slow), 3),
-        ("    falls with Ca at Re 10, 30 %", -1, "viscosity", neighbours(capsules, "Ca", Re=("10",), fraction=("0.3",)), 2),
+        ("    falls with Ca at Re 10, without nuclei", -1, "viscosity",
+         neighbours(capsules, "Ca", Re=("10",), nucleus=("none",)), 1.5),
         ("    rises with Re", 1, "viscosity", neighbours(capsules, "Re"), 2),
-        ("    is raised by nuclei at Re 0.1, Ca 0.3 and 0.5, 20 and 30 %", 1, "viscosity",
-         neighbours(capsules, "nucleus", Re=("0.1",), Ca=soft, fraction=("0.2", "0.3")), 2),
+        ("    is raised by nuclei at Re 0.1 and 10, Ca 0.3 and 0.5, 20 and 30 %", 1, "viscosity",
+         neighbours(capsules, "nucleus", Re=("0.1", "10"), Ca=soft, fraction=("0.2", "0.3")), 2),
         ("N1 of capsules is lowered by nuclei at Re 0.1 and 1", -1, "N1", neighbours(capsules, "nucleus", Re=slow), 1),
         ("    at Re 10, Ca 0.3, 20 and 30 %", -1, "N1",
          neighbours(capsules, "nucleus", Re=("10",), Ca=("0.3",), fraction=("0.2", "0.3")), 3),
-        ("inclination of capsules falls with the fraction", -1, "angle", neighbours(known, "fraction"), 2),
+        ("inclination of capsules falls with the fraction at Re 0.1 and 1", -1, "angle",
+         neighbours(known, "fraction", Re=slow), 3),
+        ("    at Re 10", -1, "angle", neighbours(known, "fraction", Re=("10",)), 1.5),
         ("D of capsules is lowered by nuclei", -1, "D", neighbours(known, "nucleus"), 3),
         ("viscosity of fibres, n L^3 10, falls from stiffness 1 to 0.001 to 0.0001", 1, "viscosity",
          neighbours(fibres, "stiffness", stiffness=("1", "0.001", "0.0001"), **stiff), 3),
         ("N1 of fibres, n L^3 10, is higher at stiffness 0.001 than at 1", -1, "N1",
          neighbours(fibres, "stiffness", stiffness=("1", "0.001"), **stiff), 3))
-    missing = [("%s (errors: %d)" % (text, least), [least - sign * errorsBetween(a, b, quantity) for a, b in pairs])
+    missing = [("%s (errors: %g)" % (text, least), [least - sign * errorsBetween(a, b, quantity) for a, b in pairs])
                for text, sign, quantity, pairs, least in claims]
     missing += [("%s of capsules at Re 0.1 and 1 is %s, 3 errors" % (N, word),
                  [3 - sign * r[N] / r[N + "error"] for r in capsules if r["Re"] in slow])
