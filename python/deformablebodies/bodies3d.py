@@ -316,14 +316,16 @@ def suspension(case, picture, radius=None):
     view.write(picture)
 
 
-def strip(case, picture, group, size=3.1, perRow=4):
+def strip(case, picture, group, size=None, perRow=4):
     """The only body of a group at several times in two rows, seen along z, with a ball on the
-    point that is at the tip at the start. size: of the square that a body has to itself [m]. The
-    scale ends where 99 % of the points of the tensest frame are below."""
+    point that is at the tip at the start. size: of the square that a body has to itself [m];
+    None: 1.25 times its longest side. The scale ends where 99 % of the points of the tensest
+    frame are below."""
     import vtk
     from vtkmodules.util.numpy_support import vtk_to_numpy
     all_ = case.pictures(group)
     chosen = [all_[i] for i in np.unique(np.linspace(0, len(all_) - 1, 2 * perRow).astype(int))]
+    size = size or 1.25 * max(np.ptp(points(file)[:, :2], axis=0).max() for _, file in chosen)
     view = View(case, (int(520 * perRow / 1.9) + 150, 580))
     tension = lambda file: vtk_to_numpy(read(file).GetPointData().GetArray("tension1"))
     highest = max(np.percentile(tension(file), 99) for _, file in chosen) / (shearModulus(case, group) or 1)

@@ -3,7 +3,7 @@ tension over Gs, fibres as tubes.
 
     drawBodies                                   in the case directory: bodies.png
     drawBodies mine picture.png --radius 0.185   fibres of another radius [m]
-    drawBodies --strip cells --size 3.1          one body at several times, side by side
+    drawBodies --strip cells                     one body at several times, side by side
 """
 import argparse
 import os
@@ -19,7 +19,8 @@ def main():
     parser.add_argument("picture", nargs="?", default="bodies.png")
     parser.add_argument("--radius", type=float, help="of fibres [m] (default: half their diameter)")
     parser.add_argument("--strip", metavar="GROUP", help="the only body of a group at several times")
-    parser.add_argument("--size", type=float, default=3.1, help="of the square of a body in a strip [m]")
+    parser.add_argument("--size", type=float,
+                        help="of the square of a body in a strip [m] (default: 1.25 times its longest side)")
     parser.add_argument("--perRow", type=int, default=4, help="pictures in each of the two rows of a strip")
     options = parser.parse_args()
     case = Case(options.case)
@@ -27,9 +28,11 @@ def main():
         sys.exit("drawBodies: %s has no postProcessing/VTK/bodies: it was not run, or has no bodies" % case.folder)
     if options.strip and options.strip not in case.groups():
         sys.exit("drawBodies: there is no group '%s', allowed: %s" % (options.strip, " ".join(case.groups())))
-    if options.strip and not bodies3d.read(case.pictures(options.strip)[-1][1]).GetPointData().HasArray("tension1"):
-        sys.exit("drawBodies: --strip is '%s', allowed: a group of capsules" % options.strip)
-    if options.perRow < 1 or options.size <= 0 or (options.radius is not None and options.radius <= 0):
+    if options.strip:
+        last = bodies3d.read(case.pictures(options.strip)[-1][1]).GetPointData()
+        if not last.HasArray("tension1") or last.GetArray("body").GetRange()[1] > 0:
+            sys.exit("drawBodies: --strip is '%s', allowed: a group of one capsule" % options.strip)
+    if options.perRow < 1 or any(size is not None and size <= 0 for size in (options.size, options.radius)):
         sys.exit("drawBodies: --perRow, --size and --radius are greater than 0")
     if not options.picture.endswith(".png"):
         sys.exit("drawBodies: the picture is '%s', allowed: a name that ends with .png" % options.picture)

@@ -102,7 +102,7 @@ def change(folder, name, value):
         changed, n = re.subn(r"(?m)^%s(\s+)[^;]*;" % re.escape(name), r"%s\g<1>%s;" % (name, value), text)
         if n:
             if not isUsed(folder, name):
-                raise Failed("'%s' of constant/scene is used nowhere in the case" % name)
+                raise Failed("'%s' of constant/scene is used nowhere in the case: delete it there" % name)
             open(scene, "w").write(changed)
             return
     if ":" in name:

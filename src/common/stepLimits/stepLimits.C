@@ -3,12 +3,39 @@
 #include "stepLimits.H"
 #include "dictionaryChecks.H"
 #include "lastStep.H"
+#include "stringOps.H"
+
+namespace
+{
+using namespace Foam;
+
+//- Warn of entries of controlDict that differ from those of the time step in the case of
+//  letters only
+void checkLetters(const dictionary& dict)
+{
+    for (const word name :
+         {"adjustTimeStep", "maxCo", "maxDeltaT", "maxRetries"})
+    {
+        for (const entry& e : dict)
+        {
+            const word other(e.keyword());
+            if (other == name ||
+                stringOps::lower(other) != stringOps::lower(name))
+                continue;
+            IOWarningInFunction(dict)
+                << "entry " << other << " has no effect" << nl
+                << "    Did you mean " << name << '?' << endl;
+        }
+    }
+}
+} // namespace
 
 Foam::stepLimits::stepLimits(const Time& time, const surfaceScalarField& phi,
                              const bool bodies)
     : time_(time),
       guard_(phi, bodies)
 {
+    checkLetters(time.controlDict());
 }
 
 void Foam::stepLimits::readControls()
@@ -200,7 +227,8 @@ void Foam::stepLimits::checkEstimate(const word& what, const string& remedy)
                 << exceeds.c_str() << ": bodies would diverge within a few "
                 << "steps" << nl << "    allowed: deltaT up to "
                 << Foam::name(l.dt) << ", at most 200 times that, or softer "
-                << "bodies" << exit(FatalError);
+                << "bodies. Do the units of bodies, fluid and mesh fit?"
+                << exit(FatalError);
         }
         warnRarely& warning = warnings_(what, warnRarely());
         if (!warning.due(time_.timeIndex())) return;

@@ -291,6 +291,7 @@ bool Foam::bodyCollection::writeData(Ostream& os) const
     state_->write(os, trouble_.any && !trouble_.outside());
     if (system_.interactions) system_.interactions->outdate();
     output_->drawWritten();
+    output_->lookAtErrors();
     system_.effects.write();
     return os.good();
 }

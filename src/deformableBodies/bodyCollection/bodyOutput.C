@@ -96,12 +96,22 @@ void Foam::bodyOutput::drawWritten()
     writer_.draw(time.value(), time.timeIndex());
 }
 
-void Foam::bodyOutput::finish() const
+void Foam::bodyOutput::lookAtErrors()
+{
+    for (const bodyGroup& group : system_.groups)
+    {
+        checkIndicators(group.name(), group.report().indicators(),
+                        system_.mesh.time().value(), false, warned_);
+    }
+}
+
+void Foam::bodyOutput::finish()
 {
     Info << "Error indicators at the end (largest over the bodies)" << nl;
     for (const bodyGroup& group : system_.groups)
     {
-        checkIndicators(group.name(), group.report().indicators());
+        checkIndicators(group.name(), group.report().indicators(),
+                        system_.mesh.time().value(), true, warned_);
     }
     Info << endl;
     if (system_.interactions) system_.interactions->reportOverlaps();

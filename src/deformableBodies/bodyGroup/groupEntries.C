@@ -117,10 +117,13 @@ Foam::pointField Foam::groupEntries::positions() const
 {
     const vector lo(scene_.grid.origin());
     const boundBox box(lo, lo + scene_.grid.length());
-    const pointField positions(dict_.lookup("positions"));
+    const pointField positions(
+        dict_.getOrDefault<pointField>("positions", pointField()));
     if (positions.empty())
     {
-        refuse(dict_, "positions", "()", "at least one point, ((x y z) ...)");
+        refuse(dict_, "positions", dict_.found("positions") ? "()" : "none",
+               "at least one point, ((x y z) ...), or placement { type random; "
+               "number N; }");
     }
     forAll(positions, i)
     {

@@ -195,10 +195,10 @@ Foam::expectedError Foam::capsuleReport::stepError(const scalar rate) const
                              ? group_.maxDeltaT()
                              : GREAT;
     const scalar dt =
-        !group_.scene_.adjusted             ? group_.scene_.deltaT
-        : group_.scene_.deltaT > 0          ? min(group_.scene_.likelyDeltaT, limit)
-        : group_.scene_.accuracy.wanted > 0 ? GREAT // stepFor() chooses
-                                            : limit;
+        !group_.scene_.adjusted ? group_.scene_.deltaT
+        : group_.scene_.deltaT == 0 && group_.scene_.accuracy.wanted > 0
+            ? GREAT // stepFor() chooses
+            : min(group_.scene_.likelyDeltaT, limit);
     const bool stiffArea = group_.motion_->hasPrevious() &&
                            law.areaModulus() > 4 * law.shearModulus();
     const bool known = rate > 0 && dt > 0 && dt < GREAT;
@@ -250,29 +250,31 @@ Foam::expectedErrors Foam::capsuleReport::errors() const
     return e;
 }
 
-// Amplitude of the two highest degrees over that of all degrees; change of volume
 std::vector<Foam::errorIndicator> Foam::capsuleReport::indicators() const
 {
-    const sphericalHarmonics& grid = group_.harmonics();
     scalar highest = 0, change = 0;
-    for (const auto& c : group_.capsules_)
+    label worst = -1;
+    forAll(group_.mine(), k)
     {
-        scalar all = 0, last = 0;
-        for (size_t i = 0; i < c.x.size(); ++i)
-        {
-            const int n = grid.degreeOf(i / 3);
-            if (n > 0) all += sqr(c.x[i]);
-            if (n >= grid.degree() - 1) last += sqr(c.x[i]);
-        }
-        highest = max(highest, std::sqrt(last / all));
+        const capsule& c = group_.capsules_[k];
+        const scalar share = group_.shareOfHighest(c.x);
+        if (worst < 0 || share > highest) worst = k;
+        highest = max(highest, share);
         change = max(change, mag(group_.shell_->measure(c.x).volume /
                                      group_.referenceVolume_ -
                                  1));
     }
+    OStringStream body;
+    if (worst >= 0)
+    {
+        body << group_.nameOfBody(group_.mine()[worst]).c_str() << " at "
+             << group_.centre(worst);
+    }
     return {
-        {"highest harmonics", highest, 0.03,
+        {"highest harmonics", highest, capsuleGroup::mostOfHighest,
          "entry harmonics to more (on finer cells, where they are as many as "
-         "the cells resolve), or " +
-             smallerSteps(group_.scene_) + " if the membrane wrinkles"},
+         "the cells resolve), or, where the membrane wrinkles, bending or " +
+             smallerSteps(group_.scene_),
+         true, body.str()},
         {"change of volume", change, 1e-3, smallerSteps(group_.scene_)}};
 }

@@ -104,6 +104,7 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
         {
             next[j] *= filter_[j];
         }
+        if (twoWay()) relaxHighest(next, dt);
 
         // A capsule that fails keeps its last state. check() leaves the derivatives of a
         // good shape on the grid
@@ -136,6 +137,33 @@ Foam::string Foam::capsuleGroup::move(const vector* U, const scalar*,
         c.lastDeltaT = dt;
     }
     return trouble;
+}
+
+Foam::scalar Foam::capsuleGroup::shareOfHighest(const coefficients& x) const
+{
+    scalar all = 0, highest = 0;
+    for (size_t i = 0; i < x.size(); ++i)
+    {
+        const int n = harmonics().degreeOf(i / 3);
+        if (n > 0) all += sqr(x[i]);
+        if (n >= harmonics().degree() - 1) highest += sqr(x[i]);
+    }
+    return std::sqrt(highest / all);
+}
+
+void Foam::capsuleGroup::relaxHighest(coefficients& x, const scalar dt) const
+{
+    const scalar share = shareOfHighest(x), N = harmonics().degree();
+    if (!(share > mostOfHighest)) return;
+    const scalar ratio = viscosityRatio_ / scene_.viscosityAround;
+    const scalar mu = 0.5 * (1 + ratio) * scene_.mu;
+    const scalar rate = shell_->model().shearModulus() * N * (N + 1) /
+                        ((2 * N + 1) * mu * radius_);
+    const scalar s = dt * rate * (1 - sqr(mostOfHighest / share));
+    for (size_t i = 0; i < x.size(); ++i)
+    {
+        x[i] *= std::exp(-s * std::pow(harmonics().degreeOf(i / 3) / N, 8));
+    }
 }
 
 void Foam::capsuleGroup::startAt(capsule& c) const

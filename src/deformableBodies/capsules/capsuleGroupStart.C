@@ -98,6 +98,15 @@ void Foam::capsuleGroup::checkSize(const dictionary& dict) const
         {"shape", "radius/h", radius_ / cmptMax(h), 1, GREAT, 2, GREAT,
          "the kernel spreads the membrane over three cells"},
     });
+    if (scene_.flow.rate > 0)
+    {
+        ratios.append({"membrane", "mu rate a/Gs",
+                       scene_.mu * scene_.flow.rate * radius_ /
+                           shell_->model().shearModulus(),
+                       0, GREAT, 0, 10,
+                       "look whether the units of Gs, of the fluid and of the "
+                       "mesh fit together"});
+    }
     if (twoWay())
     {
         ratios.append({"viscosityRatio", "viscosityRatio", viscosityRatio_, 0,

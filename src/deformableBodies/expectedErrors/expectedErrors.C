@@ -190,24 +190,32 @@ void Foam::checkErrors(const List<expectedErrors>& errors, const scalar wanted,
 }
 
 void Foam::checkIndicators(const word& group,
-                           std::vector<errorIndicator> indicators)
+                           std::vector<errorIndicator> indicators,
+                           const scalar time, const bool atEnd,
+                           HashSet<string>& warned)
 {
     std::ostringstream line;
     line << "    " << std::left << std::setw(18) << group;
     string between;
     for (errorIndicator& i : indicators)
     {
+        const scalar own = i.value;
         reduce(i.value, maxOp<scalar>());
+        i.body = firstOf(own >= i.value ? i.body : string());
         line << between << i.name << ' ' << std::setprecision(2) << i.value;
         between = ", ";
     }
-    Info << line.str().c_str() << nl;
+    if (atEnd) Info << line.str().c_str() << nl;
     for (const errorIndicator& i : indicators)
     {
-        if (i.value <= i.limit) continue;
+        if (i.value <= i.limit || !(atEnd || i.lasting) ||
+            !warned.insert(group + ' ' + i.name))
+            continue;
+        const string where(i.body + (i.body.empty() ? "" : ", "));
         WarningInFunction << "group " << group << ": " << i.name.c_str()
                           << " is " << i.value << ", recommended: at most "
-                          << i.limit << nl << "    Change " << i.remedy.c_str()
+                          << i.limit << " (" << where.c_str() << "time " << time
+                          << ')' << nl << "    Change " << i.remedy.c_str()
                           << endl;
     }
 }

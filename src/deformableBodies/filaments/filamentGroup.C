@@ -204,6 +204,15 @@ void Foam::filamentGroup::checkSize(const dictionary& dict) const
         {"diameter", "diameter/length", diameter / properties_.length, 0, 0.5,
          0, 0.5, "the theory is that of slender bodies"},
     });
+    const scalar L = properties_.length, B = properties_.rigidity;
+    if (B > 0 && scene_.flow.rate > 0)
+    {
+        ratios.append({"bendingRigidity", "mu rate L^4/B",
+                       scene_.mu * scene_.flow.rate * pow4(L) / B, 0, GREAT, 0,
+                       1e9,
+                       "look whether the units of bendingRigidity, of the "
+                       "fluid and of the mesh fit together"});
+    }
     if (twoWay())
     {
         ratios.append(

@@ -155,7 +155,7 @@ void Foam::filamentGroup::readStart(const dictionary& dict)
         refuse(dict, "bow", Foam::name(mag(bow_)) + " m",
                "up to 0.3 of the length");
     }
-    if (!dict.found("placement")) dict.get<vectorField>("directions");
+    if (!dict.found("placement")) requireEntry(dict, "directions");
     const scalar L0 = properties_.length;
     start_ = groupEntries(name(), dict, scene_)
                  .start({(0.5 * effectiveDiameter_ + mag(bow_)) * vector::one,
