@@ -90,10 +90,12 @@ def octahedron(turned: int):
     return stl(all)
 
 
-def ellipsoid(n=48):
-    """About (5 0 0), semi-axes 0.8, 1.1 and 1, of n by 2 n quadrangles halved."""
+def ellipsoid(n: int = 48, bumps: float = 0):
+    """About (5 0 0), semi-axes 0.8, 1.1 and 1, of n by 2 n quadrangles halved; bumps: amplitude of
+    waves of degree 12 over the radius."""
     t, p = np.meshgrid(np.linspace(0, np.pi, n + 1), np.linspace(0, 2 * np.pi, 2 * n + 1), indexing="ij")
-    x = np.stack([5 + 0.8 * np.sin(t) * np.cos(p), 1.1 * np.sin(t) * np.sin(p), np.cos(t)], -1)
+    r = 1 + bumps * np.sin(t)**12 * np.cos(12 * p)
+    x = np.stack([5 + 0.8 * r * np.sin(t) * np.cos(p), 1.1 * r * np.sin(t) * np.sin(p), r * np.cos(t)], -1)
     x[:, -1] = x[:, 0]
     x[0], x[-1] = x[0, 0], x[-1, 0]
     all = []

@@ -154,7 +154,8 @@ Foam::scalar Foam::capsuleGroup::shareOfHighest(const coefficients& x) const
 void Foam::capsuleGroup::relaxHighest(coefficients& x, const scalar dt) const
 {
     const scalar share = shareOfHighest(x), N = harmonics().degree();
-    if (!(share > mostOfHighest)) return;
+    if (!(share > mostOfHighest) || N < 2 * radius_ / cmptMax(scene_.grid.h()))
+        return;
     const scalar ratio = viscosityRatio_ / scene_.viscosityAround;
     const scalar mu = 0.5 * (1 + ratio) * scene_.mu;
     const scalar rate = shell_->model().shearModulus() * N * (N + 1) /
