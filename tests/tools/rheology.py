@@ -73,6 +73,12 @@ def metLimit():
     return 0 if "volume" in samples() else 1
 
 
+def highest():
+    """Amplitude of the two highest harmonics over that of all, the largest at the end; 0 of fibres."""
+    last = max(glob.glob("log.run.*"), key=lambda f: int(f.rsplit(".", 1)[1]))
+    return (re.findall(r"highest harmonics ([\d.e-]+)", open(last).read()) or ["0"])[-1]
+
+
 def residual():
     """Mean of what the budget does not explain over the mean stress, after the transient."""
     late = case.stress().after(case.averages()["from"])
