@@ -62,7 +62,8 @@ class Case:
         """Table of postProcessing/<function>/<start>/<name>. FileNotFoundError: it has none."""
         files = self.pieces(function, name)
         if not files:
-            raise FileNotFoundError("%s has no postProcessing/%s/*/%s" % (self.folder, function, name))
+            raise FileNotFoundError("%s has no postProcessing/%s/*/%s: it was not run, or has no such output"
+                                    % (self.folder, function, name))
         return Table.joined(files)
 
     def latest(self, function, name):
@@ -70,7 +71,8 @@ class Case:
         FileNotFoundError: it has none."""
         files = self.pieces(function, name)
         if not files:
-            raise FileNotFoundError("%s has no postProcessing/%s/*/%s" % (self.folder, function, name))
+            raise FileNotFoundError("%s has no postProcessing/%s/*/%s: it was not run, or has no such output"
+                                    % (self.folder, function, name))
         return files[-1]
 
     def bodies(self, group, body=None):
