@@ -77,9 +77,8 @@ def gaps(first, second, diameter: float):
     """Time and gap over the diameter of two groups of one line each, for each picture: a
     line a picture."""
     import vtp
-    for time, file in Case().pictures(first):
-        a, b = vtp.points(file), vtp.points(file.replace(first + "_", second + "_"))
-        a, b = (refined(x, 20) for x in (a, b))
+    for (time, one), (_, other) in zip(Case().pictures(first), Case().pictures(second)):
+        a, b = (refined(vtp.points(file), 20) for file in (one, other))
         print(time, (np.linalg.norm(a[:, None] - b[None], axis=-1).min() - diameter) / diameter)
 
 

@@ -74,9 +74,11 @@ def metLimit():
 
 
 def highest():
-    """Amplitude of the two highest harmonics over that of all, the largest at the end; 0 of fibres."""
+    """The indicator of shapes at the end: amplitude of the two highest harmonics over that of all; of fibres 1 -
+    cosine of the angle between segments."""
     last = max(glob.glob("log.run.*"), key=lambda f: int(f.rsplit(".", 1)[1]))
-    return (re.findall(r"highest harmonics ([\d.e-]+)", open(last).read()) or ["0"])[-1]
+    name = "highest harmonics" if "volume" in samples() else "angle between segments"
+    return (re.findall(name + r" ([\d.e-]+)", open(last).read()) or ["nan"])[-1]
 
 
 def residual():
