@@ -154,15 +154,13 @@ Foam::scalar Foam::capsuleGroup::shareOfHighest(const coefficients& x) const
 void Foam::capsuleGroup::relaxHighest(coefficients& x, const scalar dt) const
 {
     const scalar share = shareOfHighest(x), N = harmonics().degree();
-    if (share <= mostOfHighest || N < 2 * radius_ / cmptMax(scene_.grid.h()))
+    if (share <= relaxesAbove_ || N < 2 * radius_ / cmptMax(scene_.grid.h()))
         return;
-    const scalar most = max(mostOfHighest, 1.5 * shareOfHighest(initial_));
-    if (share <= most) return;
     const scalar ratio = viscosityRatio_ / scene_.viscosityAround;
     const scalar mu = 0.5 * (1 + ratio) * scene_.mu;
     const scalar rate = shell_->model().shearModulus() * N * (N + 1) /
                         ((2 * N + 1) * mu * radius_);
-    const scalar s = dt * rate * (1 - sqr(most / share));
+    const scalar s = dt * rate * (1 - sqr(relaxesAbove_ / share));
     for (size_t i = 0; i < x.size(); ++i)
     {
         x[i] *= std::exp(-s * std::pow(harmonics().degreeOf(i / 3) / N, 8));

@@ -112,8 +112,10 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     initial_ = initialShape(shape, fine);
     const scalar extent = furthest(fine, initial_);
     makeMarkers(dict, degree, extent);
-    shell_.reset(new capsuleShell(degree, dealiasing, dict,
-                                  stressFree(dict, fine), scene_.effects));
+    const coefficients rest(stressFree(dict, fine));
+    relaxesAbove_ = max(mostOfHighest, 1.5 * shareOfHighest(rest));
+    shell_.reset(
+        new capsuleShell(degree, dealiasing, dict, rest, scene_.effects));
     const capsuleShell::geometry reference(shell_->measure(initial_));
     referenceVolume_ = reference.volume;
     referenceArea_ = reference.area;
