@@ -143,7 +143,7 @@ def trends(table):
     capsules, fibres = ([r for r in rows if r["kind"] == kind] for kind in ("capsules", "fibres"))
     known = [r for r in capsules if "Derror" in r]  # errors of D and inclination
     slow, soft = ("0.1", "1"), ("0.3", "0.5")
-    stiff = {"nL3": ("10",), "dry": (None,)}
+    stiff = {"nL3": ("10",), "dry": (None,), "Re": ("1", "10")}
     # Text, sign, quantity, pairs, errors that the difference is to have
     claims = (
         ("viscosity of capsules rises with the fraction", 1, "viscosity", neighbours(capsules, "fraction"), 3),
@@ -161,7 +161,7 @@ def trends(table):
         ("    at Re 10, from 20 to 30 %", -1, "angle",
          neighbours(known, "fraction", Re=("10",), fraction=("0.2", "0.3")), 3),
         ("D of capsules is lowered by nuclei", -1, "D", neighbours(known, "nucleus"), 3),
-        ("viscosity of fibres, n L^3 10, falls from stiffness 1 to 0.001 to 0.0001", 1, "viscosity",
+        ("viscosity of fibres, n L^3 10, Re 1 and 10, falls from stiffness 1 to 0.001 to 0.0001", 1, "viscosity",
          neighbours(fibres, "stiffness", stiffness=("1", "0.001", "0.0001"), **stiff), 3),
         ("N1 of fibres, n L^3 10, is higher at stiffness 0.001 than at 1", -1, "N1",
          neighbours(fibres, "stiffness", stiffness=("1", "0.001"), **stiff), 3))
