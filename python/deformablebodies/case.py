@@ -58,22 +58,22 @@ class Case:
         files = glob.glob(glob.escape(self.path("postProcessing", function)) + "/*/" + name)
         return sorted(files, key=lambda file: float(os.path.basename(os.path.dirname(file))))
 
-    def table(self, function, name):
-        """Table of postProcessing/<function>/<start>/<name>. FileNotFoundError: it has none."""
+    def written(self, function, name):
+        """The same. FileNotFoundError: it has none."""
         files = self.pieces(function, name)
         if not files:
             raise FileNotFoundError("%s has no postProcessing/%s/*/%s: it was not run, or has no such output"
                                     % (self.folder, function, name))
-        return Table.joined(files)
+        return files
+
+    def table(self, function, name):
+        """Table of postProcessing/<function>/<start>/<name>. FileNotFoundError: it has none."""
+        return Table.joined(self.written(function, name))
 
     def latest(self, function, name):
         """The file of the latest time, of a function that sums up the whole run.
         FileNotFoundError: it has none."""
-        files = self.pieces(function, name)
-        if not files:
-            raise FileNotFoundError("%s has no postProcessing/%s/*/%s: it was not run, or has no such output"
-                                    % (self.folder, function, name))
-        return files[-1]
+        return self.written(function, name)[-1]
 
     def bodies(self, group, body=None):
         """Samples of a group, or of one of its bodies. KeyError: there is no such group or body."""

@@ -96,23 +96,19 @@ void Foam::bodyOutput::drawWritten()
     writer_.draw(time.value(), time.timeIndex());
 }
 
-void Foam::bodyOutput::lookAtErrors()
+void Foam::bodyOutput::lookAtErrors(const bool atEnd)
 {
     for (const bodyGroup& group : system_.groups)
     {
         checkIndicators(group.name(), group.report().indicators(),
-                        system_.mesh.time().value(), false, warned_);
+                        system_.mesh.time().value(), atEnd, warned_);
     }
 }
 
 void Foam::bodyOutput::finish()
 {
     Info << "Error indicators at the end (largest over the bodies)" << nl;
-    for (const bodyGroup& group : system_.groups)
-    {
-        checkIndicators(group.name(), group.report().indicators(),
-                        system_.mesh.time().value(), true, warned_);
-    }
+    lookAtErrors(true);
     Info << endl;
     if (system_.interactions) system_.interactions->reportOverlaps();
     if (Pstream::parRun())
