@@ -1,9 +1,9 @@
 """drawStabilityMap.py stabilityMap.csv stabilityMap.png: maps of time steps, a row of panels each"""
-import csv
 import sys
 from matplotlib.patches import Patch, Rectangle
 from matplotlib.lines import Line2D
 from deformablebodies import figures
+from deformablebodies.tables import records
 
 colours = {"accurate": "#74add1", "fair": "#fee090", "off": "#f46d43", "stopped": "#555555", "noReference": "white"}
 labels = {"accurate": "error below 1 %", "fair": "below 10 %", "off": "more, or warned of", "stopped": "stopped"}
@@ -57,8 +57,7 @@ def legend(ax):
     ax.legend(handles=handles, loc="center", fontsize=9)
 
 
-with open(sys.argv[1]) as f:
-    table = list(csv.DictReader(line for line in f if not line.startswith("#")))
+table = records(sys.argv[1])
 widths = [len(stepsOf([s])) for s in ("default", "explicit", "penalty")]
 figure, axes = figures.columns(3, 1.85, 4.1, len(maps), widths=widths)
 for axs, (name, label) in zip(axes, maps.items()):

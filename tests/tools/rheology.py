@@ -123,10 +123,10 @@ def neighbours(rows, along, **of):
 
 
 def boxesAndMeshes(table):
-    """Prints what another box or mesh changes: each row whose name says so beside that of its name alone."""
+    """Prints what another box or mesh changes: each row whose name ends so beside that of its name without it."""
     rows = {r["point"]: {k: float(v) for k, v in r.items() if k != "point" and v} for r in records(table)}
     for name, other in rows.items():
-        found = re.search(r"\.(wide|narrow|fine)\b", name)
+        found = re.search(r"\.(wide|narrow|fine)$", name)
         own = rows.get(name.replace(found[0], "")) if found else None
         if own:
             change = lambda k, error: "%s %.5g for %.5g (%+.1f errors)" % (k, other[k], own[k], (

@@ -166,7 +166,7 @@ Foam::vectorField Foam::bodyInteractions::touchingAreas(const closePairs& pairs,
         }
         const vectorField of(groups_[body.group].points(body.local).areas);
         std::copy(of.begin(), of.end(), areas.begin() + points.first);
-        surfaces_[body.group].setMiddles(areas.data() + points.first);
+        points_.setBetween(b, areas.data() + points.first);
     }
     return areas;
 }

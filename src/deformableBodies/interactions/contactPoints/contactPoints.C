@@ -9,6 +9,9 @@ void Foam::contactPoints::clear(const label nBodies)
     ranges_.setSize(nBodies, range{0, 0});
     surfaces_.clear();
     surfaces_.setSize(nBodies, nullptr);
+    firstCount_.clear();
+    firstCount_.setSize(nBodies, Zero);
+    counts_.clear();
     body_.clear();
     X_.clear();
     V_.clear();
@@ -16,6 +19,33 @@ void Foam::contactPoints::clear(const label nBodies)
     parts_.clear();
     along_.clear();
     firstOfLines_ = 0;
+}
+
+void Foam::contactPoints::addBetween(const label index, const label number,
+                                     const contactSurface& surface)
+{
+    const label first = X_.size() - surface.nMarkers();
+    const label firstCount = counts_.size();
+    counts_.setSize(firstCount + surface.nConnections());
+    const SubList<label> counts(counts_, surface.nConnections(), firstCount);
+    surface.count(X_.cdata() + first, counts_.data() + firstCount);
+
+    const label n = surface.nMarkers() + sum(counts);
+    ranges_[index] = {first, n};
+    surfaces_[index] = &surface;
+    firstCount_[index] = firstCount;
+    X_.setSize(first + n);
+    V_.setSize(first + n);
+    setBetween(index, X_.data() + first);
+    setBetween(index, V_.data() + first);
+    body_.setSize(first + n, number);
+    scalarList areas(n);
+    surface.setAreas(counts.cdata(), areas.data());
+    for (const scalar area : areas)
+    {
+        points_.append({area, 0});
+    }
+    firstOfLines_ = X_.size();
 }
 
 void Foam::contactPoints::addLine(const label index, const label number,
@@ -109,7 +139,8 @@ void Foam::contactPoints::addTo(const label index, vectorField& F) const
     const range& points = ranges_[index];
     if (surfaces_[index])
     {
-        surfaces_[index]->addTo(F_.F.cdata() + points.first, F);
+        surfaces_[index]->addTo(counts_.cdata() + firstCount_[index],
+                                F_.F.cdata() + points.first, F);
         return;
     }
     for (label k = points.first; k < points.end(); ++k)

@@ -3,6 +3,7 @@
 #include "contactSurface.H"
 #include "patchOrder.H"
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -45,9 +46,12 @@ Foam::contactSurface::contactSurface(const vectorField& X,
                                      const scalarField& areas,
                                      const scalar range)
     : nMarkers_(X.size()),
-      areas_(areas)
+      areas_(areas),
+      parts_(areas.size(), Zero)
 {
-    if (sum(areas) < nMarkers_ * sqr(0.5 * range)) return;
+    const scalar side = std::sqrt(sum(areas) / max(nMarkers_, label(1)));
+    apart_ = max(0.5 * range, 0.8 * side);
+    least_ = side < 0.5 * range ? 0 : 1;
 
     // In an order that keeps patches small. A quarter of the area is that of the markers
     const List<labelPair> pairs(neighbours(X));
@@ -57,40 +61,68 @@ Foam::contactSurface::contactSurface(const vectorField& X,
         middles[k] = X[pairs[k].first()] + X[pairs[k].second()];
     }
     ends_ = List<labelPair>(pairs, patchOrder(middles));
-    labelList n(nMarkers_, Zero);
     for (const labelPair& ends : ends_)
     {
-        ++n[ends.first()];
-        ++n[ends.second()];
+        ++parts_[ends.first()];
+        ++parts_[ends.second()];
     }
-    areas_ *= 0.25;
-    areas_.setSize(nMarkers_ + ends_.size());
-    forAll(ends_, k)
-    {
-        const label i = ends_[k].first(), j = ends_[k].second();
-        areas_[nMarkers_ + k] = 0.75 * (areas[i] / n[i] + areas[j] / n[j]);
-    }
+    parts_ = 0.75 * areas / max(parts_, scalar(1));
 }
 
-void Foam::contactSurface::setMiddles(vector* values) const
+void Foam::contactSurface::count(const vector* X, label* counts) const
 {
     forAll(ends_, k)
     {
-        values[nMarkers_ + k] = 0.5 * (values[ends_[k].first()] +
-                                       values[ends_[k].second()]);
+        const scalar length = mag(X[ends_[k].second()] - X[ends_[k].first()]);
+        counts[k] = max(least_, label(std::ceil(length / apart_)) - 1);
     }
 }
 
-void Foam::contactSurface::addTo(const vector* forces, vectorField& F) const
+void Foam::contactSurface::setAreas(const label* counts, scalar* areas) const
+{
+    std::copy(areas_.begin(), areas_.end(), areas);
+    scalar* between = areas + nMarkers_;
+    forAll(ends_, k)
+    {
+        if (counts[k] == 0) continue;
+        const label i = ends_[k].first(), j = ends_[k].second();
+        areas[i] -= parts_[i];
+        areas[j] -= parts_[j];
+        std::fill_n(between, counts[k], (parts_[i] + parts_[j]) / counts[k]);
+        between += counts[k];
+    }
+}
+
+void Foam::contactSurface::setBetween(const label* counts,
+                                      vector* values) const
+{
+    vector* between = values + nMarkers_;
+    forAll(ends_, k)
+    {
+        const vector &x = values[ends_[k].first()],
+                     &y = values[ends_[k].second()];
+        for (label n = 1; n <= counts[k]; ++n)
+        {
+            *between++ = x + scalar(n) / (counts[k] + 1) * (y - x);
+        }
+    }
+}
+
+void Foam::contactSurface::addTo(const label* counts, const vector* forces,
+                                 vectorField& F) const
 {
     for (label i = 0; i < nMarkers_; ++i)
     {
         F[i] += forces[i];
     }
+    const vector* between = forces + nMarkers_;
     forAll(ends_, k)
     {
-        const vector half(0.5 * forces[nMarkers_ + k]);
-        F[ends_[k].first()] += half;
-        F[ends_[k].second()] += half;
+        for (label n = 1; n <= counts[k]; ++n)
+        {
+            const vector onward(scalar(n) / (counts[k] + 1) * *between);
+            F[ends_[k].first()] += *between++ - onward;
+            F[ends_[k].second()] += onward;
+        }
     }
 }

@@ -44,41 +44,70 @@ struct scene
 };
 } // namespace
 
-// Middles between markers have the area of the surface; forces on them have the sum, torque and
-// power of those on the markers
-TEST(ContactPoints, middlesBetweenMarkers)
+// Points of connections have the area of the surface, and are dense where it is stretched;
+// forces on them have the sum, torque and power of those on the markers
+TEST(ContactPoints, pointsBetweenMarkers)
 {
     const label n = 300;
     vectorField X(n), V(n);
+    Random random(1);
     for (label k = 0; k < n; ++k)
     {
         const scalar z = 1 - (2 * k + 1.0) / n, turn = 2.399963 * k;
         X[k] = vector(std::sqrt(1 - z * z) * std::cos(turn),
                       std::sqrt(1 - z * z) * std::sin(turn), z);
+        V[k] = random.sample01<vector>();
     }
     const scalarField areas(n, 4 * constant::mathematical::pi / n);
-    const contactSurface all(X, areas, 0.25), markers(X, areas, 1);
-    EXPECT_EQ(markers.size(), n);
-    EXPECT_NEAR(scalar(all.size()) / n, 4.1, 0.2);
-    EXPECT_NEAR(sum(all.areas()) / sum(areas), 1, 1e-13);
-    EXPECT_LT(max(all.areas()), 0.4 * areas[0]);
-
-    Random random(1);
-    vectorField x(all.size()), v(all.size()), f(all.size());
-    for (label k = 0; k < all.size(); ++k)
+    for (const scalar range : {0.25, 1.0})
     {
-        if (k < n) x[k] = X[k];
-        if (k < n) v[k] = random.sample01<vector>();
-        f[k] = random.sample01<vector>();
+        const contactSurface surface(X, areas, range);
+        const scalar apart = max(0.5 * range, 0.8 * std::sqrt(areas[0]));
+        for (const scalar stretch : {1.0, 5.0})
+        {
+            vectorField x(X);
+            x.replace(vector::X, stretch * X.component(vector::X));
+            labelList counts(surface.nConnections());
+            surface.count(x.cdata(), counts.data());
+            const label all = n + sum(counts);
+            scalarField parts(all);
+            surface.setAreas(counts.cdata(), parts.data());
+            EXPECT_NEAR(sum(parts) / sum(areas), 1, 1e-13);
+            if (stretch == 1)
+            {
+                EXPECT_NEAR(scalar(all) / n, range < 1 ? 4.1 : 1, 0.2);
+                EXPECT_LT(max(parts), (range < 1 ? 0.4 : 1.001) * areas[0]);
+            }
+
+            vectorField v(V), f(all);
+            x.setSize(all);
+            v.setSize(all);
+            for (vector& force : f)
+            {
+                force = random.sample01<vector>();
+            }
+            surface.setBetween(counts.cdata(), x.data());
+            surface.setBetween(counts.cdata(), v.data());
+
+            // Each point of a connection has another beside it
+            for (label k = n; k < all; ++k)
+            {
+                scalar nearest = GREAT;
+                forAll(x, l)
+                {
+                    if (l != k) nearest = min(nearest, magSqr(x[l] - x[k]));
+                }
+                EXPECT_LE(std::sqrt(nearest), 1.001 * apart);
+            }
+            vectorField F(n, Zero);
+            surface.addTo(counts.cdata(), f.cdata(), F);
+            const vector torque(sum(x ^ f));
+            EXPECT_LE(mag(sum(F) - sum(f)), 1e-11);
+            EXPECT_LE(mag(sum(SubField<vector>(x, n) ^ F) - torque),
+                      1e-11 * stretch);
+            EXPECT_NEAR(sum(SubField<vector>(v, n) & F), sum(v & f), 1e-10);
+        }
     }
-    all.setMiddles(x.data());
-    all.setMiddles(v.data());
-    vectorField F(n, Zero);
-    all.addTo(f.cdata(), F);
-    const vector torque(sum(x ^ f));
-    EXPECT_LE(mag(sum(F) - sum(f)), 1e-11);
-    EXPECT_LE(mag(sum(X ^ F) - torque), 1e-11);
-    EXPECT_NEAR(sum(SubField<vector>(v, n) & F), sum(v & f), 1e-10);
 }
 
 // Surfaces first, points of fibres at most half a cell apart, sizes that add up to the
