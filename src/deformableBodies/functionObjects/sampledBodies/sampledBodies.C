@@ -158,11 +158,13 @@ Foam::scalar Foam::functionObjects::sampledBodies::elapsed()
     if (postProcess || dt < 0.5 * time_.deltaTValue()) return 0;
     requireMotion(bodies_, *this);
     last_ = time_.value();
+    unwritten_ = true;
     return dt;
 }
 
-Foam::fileName Foam::functionObjects::sampledBodies::folder() const
+Foam::fileName Foam::functionObjects::sampledBodies::folder()
 {
+    unwritten_ = false;
     const fileName dir(time_.globalPath() / "postProcessing" / name() /
                        time_.timeName());
     mkDir(dir);
