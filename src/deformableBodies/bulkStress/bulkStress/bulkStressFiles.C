@@ -110,7 +110,10 @@ void Foam::bulkStress::writeAverages()
     const label first = firstBlock();
     if (first >= means_.nBlocks())
     {
-        Info << "Bulk stress: the transient is not over, no averages yet" << nl;
+        Info << "Bulk stress: "
+             << (startAverage_ > -GREAT ? "startAverage is not reached"
+                                        : "the transient is not over")
+             << ", no averages yet" << nl;
         return;
     }
     if (!Pstream::master()) return;

@@ -31,6 +31,12 @@ Foam::functionObjects::bulkStressFunction::bulkStressFunction(
         refuse(dict, "type", typeName,
                "cases with constant/deformableBodies: there are no bodies");
     }
+    for (const word when : {"executeControl", "executeInterval", "timeStart"})
+    {
+        if (!dict.found(when)) continue;
+        refuse(dict, when, valueOf(*dict.findEntry(when)),
+               "interval (steps) and startAverage in its place");
+    }
     dictionary entry(dict.name());
     entry.add("bulkStress", dict);
     bodies_.statistics().watchStress(true, &entry);

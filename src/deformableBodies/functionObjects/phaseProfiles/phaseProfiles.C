@@ -2,6 +2,7 @@
 
 #include "phaseProfiles.H"
 #include "addToRunTimeSelectionTable.H"
+#include "boxSides.H"
 #include "caseFiles.H"
 #include "dictionaryChecks.H"
 #include "functionTimes.H"
@@ -19,9 +20,19 @@ addToRunTimeSelectionTable(functionObject, phaseProfiles, dictionary);
 
 namespace
 {
-Foam::direction acrossSides(const Foam::uniformGrid& grid)
+using namespace Foam;
+
+//- Across the sides that shear the flow, else the first direction with walls, else the first
+//  with sides
+direction acrossSides(const uniformGrid& grid, const shearSides& shear)
 {
-    for (Foam::direction d = 0; d < 3; ++d)
+    if (shear.rate != 0) return shear.gradient;
+    const auto sides = boxSides(grid);
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (sides[d][0].wall || sides[d][1].wall) return d;
+    }
+    for (direction d = 0; d < 3; ++d)
     {
         if (!grid.periodic(d)) return d;
     }
@@ -57,8 +68,8 @@ Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
         Info << "functionObject " << name << ": no stress.dat, as the stress "
              << "of the fluid is not that of one viscosity" << nl;
     }
-    g_ = readDirection(dict, "across", acrossSides(grid_));
     const shearSides sides(shearSides::of(mesh_));
+    g_ = readDirection(dict, "across", acrossSides(grid_, sides));
     f_ = readDirection(dict, "flow",
                        sides.rate != 0 && sides.gradient == g_ ? sides.flow
                        : g_ == 0                               ? 1
@@ -150,7 +161,12 @@ void Foam::functionObjects::phaseProfiles::readState()
     {
         n += to.size();
     }
-    if (n != numbers.size()) return;
+    if (n != numbers.size())
+    {
+        Info << "functionObject " << name() << " starts afresh: its layers are "
+             << "not those of the state" << nl;
+        return;
+    }
     for (UList<scalar> to : sums())
     {
         for (scalar& x : to)

@@ -110,12 +110,17 @@ void Foam::functionObjects::sampledBodies::keepState()
         if (due()()) execute();
         OStringStream text;
         text.precision(17);
-        text << "last " << last_ << ';' << nl << "timeStart " << timeStart_
-             << ';' << nl;
+        text << "last " << (isOver() ? time_.value() : last_) << ';' << nl
+             << "timeStart " << timeStart_ << ';' << nl;
         writeState(text);
         os << text.str().c_str();
     };
     state_.reset(new sums(name(), "uniform", mesh_, write));
+}
+
+bool Foam::functionObjects::sampledBodies::isOver() const
+{
+    return time_.value() > entries_->getOrDefault<scalar>("timeEnd", GREAT);
 }
 
 std::function<bool()> Foam::functionObjects::sampledBodies::due() const
@@ -148,6 +153,7 @@ bool Foam::functionObjects::sampledBodies::read(const dictionary& dict)
                           << "run" << nl << "    Other entries are those of "
                           << "the start" << endl;
     }
+    if (isOver()) last_ = time_.value();
     *entries_ = dict;
     return fvMeshFunctionObject::read(dict);
 }

@@ -9,9 +9,9 @@ void Foam::contactPoints::clear(const label nBodies)
     ranges_.setSize(nBodies, range{0, 0});
     surfaces_.clear();
     surfaces_.setSize(nBodies, nullptr);
-    firstCount_.clear();
-    firstCount_.setSize(nBodies, Zero);
-    counts_.clear();
+    firstConnection_.clear();
+    firstConnection_.setSize(nBodies, Zero);
+    halved_.clear();
     body_.clear();
     X_.clear();
     V_.clear();
@@ -24,27 +24,18 @@ void Foam::contactPoints::clear(const label nBodies)
 void Foam::contactPoints::addBetween(const label index, const label number,
                                      const contactSurface& surface)
 {
-    const label first = X_.size() - surface.nMarkers();
-    const label firstCount = counts_.size();
-    counts_.setSize(firstCount + surface.nConnections());
-    const SubList<label> counts(counts_, surface.nConnections(), firstCount);
-    surface.count(X_.cdata() + first, counts_.data() + firstCount);
-
-    const label n = surface.nMarkers() + sum(counts);
-    ranges_[index] = {first, n};
+    const label first = points_.size(), firstConnection = halved_.size();
+    halved_.setSize(firstConnection + surface.nConnections());
+    surface.addPoints(X_.cdata() + first, halved_.data() + firstConnection,
+                      points_);
+    ranges_[index] = {first, points_.size() - first};
     surfaces_[index] = &surface;
-    firstCount_[index] = firstCount;
-    X_.setSize(first + n);
-    V_.setSize(first + n);
+    firstConnection_[index] = firstConnection;
+    X_.setSize(points_.size());
+    V_.setSize(points_.size());
     setBetween(index, X_.data() + first);
     setBetween(index, V_.data() + first);
-    body_.setSize(first + n, number);
-    scalarList areas(n);
-    surface.setAreas(counts.cdata(), areas.data());
-    for (const scalar area : areas)
-    {
-        points_.append({area, 0});
-    }
+    body_.setSize(points_.size(), number);
     firstOfLines_ = X_.size();
 }
 
@@ -62,7 +53,7 @@ void Foam::contactPoints::addLine(const label index, const label number,
     }
 
     ranges_[index].first = X_.size();
-    interactingPoint point{0, radius};
+    interactingPoint point{0, radius, 0};
     const scalar apart = max(min(0.5 * h_, 2 * radius), 0.1 * h_);
     scalar before = 0;
     for (label k = 0; k + 1 < x.size(); ++k)
@@ -139,8 +130,8 @@ void Foam::contactPoints::addTo(const label index, vectorField& F) const
     const range& points = ranges_[index];
     if (surfaces_[index])
     {
-        surfaces_[index]->addTo(counts_.cdata() + firstCount_[index],
-                                F_.F.cdata() + points.first, F);
+        surfaces_[index]->addTo(halvedOf(index), F_.F.cdata() + points.first,
+                                F);
         return;
     }
     for (label k = points.first; k < points.end(); ++k)

@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "contactSurface.H"
+#include "ListOps.H"
 #include "patchOrder.H"
 #include <algorithm>
 #include <cmath>
@@ -13,30 +14,46 @@ using namespace Foam;
 
 //- Pairs of markers of which one is among the six nearest of the other, by directions.
 //  Distances are rounded: on symmetric shapes many are equal, and numbers decide
-List<labelPair> neighbours(const vectorField& X)
+std::set<std::pair<label, label>> neighbours(const vectorField& X)
 {
     const label n = X.size(), most = min(label(6), n - 1);
     const vectorField e(X / mag(X));
-    std::set<std::pair<label, label>> all;
-    std::vector<std::pair<scalar, label>> others(n);
-    for (label i = 0; i < n; ++i)
+    const scalarField z(e.component(vector::Z));
+    const labelList byHeight(sortedOrder(z));
+    const scalar round = 1e9;
+    std::set<std::pair<label, label>> pairs;
+    std::vector<std::pair<scalar, label>> others;
+    forAll(byHeight, place)
     {
-        for (label j = 0; j < n; ++j)
+        // Among markers at about this height, unless farther ones may be nearer
+        const label i = byHeight[place];
+        scalar reach = 8 / std::sqrt(scalar(n));
+        bool found = false;
+        for (; !found; reach *= 2)
         {
-            others[j] = {j == i ? GREAT : std::round(1e9 * magSqr(e[j] - e[i])),
-                         j};
+            others.clear();
+            const auto look = [&](const label at)
+            {
+                const label j = byHeight[at];
+                if (mag(z[j] - z[i]) > reach) return false;
+                others.push_back({std::round(round * magSqr(e[j] - e[i])), j});
+                return true;
+            };
+            for (label at = place + 1; at < n && look(at);)
+                ++at;
+            for (label at = place - 1; at >= 0 && look(at);)
+                --at;
+            if (label(others.size()) < most) continue;
+            std::partial_sort(others.begin(), others.begin() + most,
+                              others.end());
+            found = most == 0 ||
+                    others[most - 1].first < round * sqr(reach) - 1 ||
+                    reach > 2;
         }
-        std::partial_sort(others.begin(), others.begin() + most, others.end());
         for (label k = 0; k < most; ++k)
         {
-            all.insert(std::minmax(i, label(others[k].second)));
+            pairs.insert(std::minmax(i, label(others[k].second)));
         }
-    }
-    List<labelPair> pairs(all.size());
-    label k = 0;
-    for (const auto& pair : all)
-    {
-        pairs[k++] = labelPair(pair.first, pair.second);
     }
     return pairs;
 }
@@ -47,68 +64,105 @@ Foam::contactSurface::contactSurface(const vectorField& X,
                                      const scalar range)
     : nMarkers_(X.size()),
       areas_(areas),
-      parts_(areas.size(), Zero)
+      shares_(areas.size(), Zero),
+      atRest_(sum(areas) < X.size() * sqr(0.5 * range) ? 0 : 1)
 {
-    const scalar side = std::sqrt(sum(areas) / max(nMarkers_, label(1)));
-    apart_ = max(0.5 * range, 0.8 * side);
-    least_ = side < 0.5 * range ? 0 : 1;
+    DynamicList<connection> all;
+    DynamicList<vector> middles;
+    for (const auto& pair : neighbours(X))
+    {
+        const label i = pair.first, j = pair.second;
+        const scalar apart = mag(X[j] - X[i]) / (1 << atRest_);
+        all.append(connection{i, j, max(0.5 * range, 1.6 * apart)});
+        middles.append(X[i] + X[j]);
+        ++shares_[i];
+        ++shares_[j];
+    }
 
-    // In an order that keeps patches small. A quarter of the area is that of the markers
-    const List<labelPair> pairs(neighbours(X));
-    vectorField middles(pairs.size());
-    forAll(middles, k)
-    {
-        middles[k] = X[pairs[k].first()] + X[pairs[k].second()];
-    }
-    ends_ = List<labelPair>(pairs, patchOrder(middles));
-    for (const labelPair& ends : ends_)
-    {
-        ++parts_[ends.first()];
-        ++parts_[ends.second()];
-    }
-    parts_ = 0.75 * areas / max(parts_, scalar(1));
+    // In an order that keeps patches small
+    connections_ = List<connection>(all, patchOrder(vectorField(middles)));
+
+    // A quarter of the area is that of the markers, where there are other points
+    shares_ = 0.75 / max(shares_, scalar(1));
+    areas_ /= max(stretches(X.cdata()), VSMALL);
 }
 
-void Foam::contactSurface::count(const vector* X, label* counts) const
+Foam::scalarField Foam::contactSurface::stretches(const vector* X) const
 {
-    forAll(ends_, k)
+    symmTensorField M(nMarkers_, Zero);
+    for (const connection& on : connections_)
     {
-        const scalar length = mag(X[ends_[k].second()] - X[ends_[k].first()]);
-        counts[k] = max(least_, label(std::ceil(length / apart_)) - 1);
+        const symmTensor ll(sqr(X[on.second] - X[on.first]));
+        M[on.first] += ll;
+        M[on.second] += ll;
     }
+    scalarField roots(nMarkers_);
+    forAll(roots, i)
+    {
+        roots[i] = Foam::sqrt(max(invariantII(M[i]), scalar(0)));
+    }
+    return roots;
 }
 
-void Foam::contactSurface::setAreas(const label* counts, scalar* areas) const
+void Foam::contactSurface::addPoints(
+    const vector* X, label* halved, DynamicList<interactingPoint>& points) const
 {
-    std::copy(areas_.begin(), areas_.end(), areas);
-    scalar* between = areas + nMarkers_;
-    forAll(ends_, k)
+    const label markers = points.size();
+    const scalarField areas(areas_ * stretches(X));
+    const scalarField shares(areas * shares_);
+    for (const scalar area : areas)
     {
-        if (counts[k] == 0) continue;
-        const label i = ends_[k].first(), j = ends_[k].second();
-        areas[i] -= parts_[i];
-        areas[j] -= parts_[j];
-        std::fill_n(between, counts[k], (parts_[i] + parts_[j]) / counts[k]);
-        between += counts[k];
+        points.append(interactingPoint{area, 0, 0});
     }
-}
-
-void Foam::contactSurface::setBetween(const label* counts,
-                                      vector* values) const
-{
-    vector* between = values + nMarkers_;
-    forAll(ends_, k)
+    forAll(connections_, k)
     {
-        const vector &x = values[ends_[k].first()],
-                     &y = values[ends_[k].second()];
-        for (label n = 1; n <= counts[k]; ++n)
+        const connection& on = connections_[k];
+        interactingPoint &i = points[markers + on.first],
+                         &j = points[markers + on.second];
+        const scalar length = mag(X[on.second] - X[on.first]);
+        scalar apart = length / (1 << atRest_), fine = 1;
+        for (halved[k] = atRest_; apart > on.apart && halved[k] < 8;
+             ++halved[k])
         {
-            *between++ = x + scalar(n) / (counts[k] + 1) * (y - x);
+            fine = min(4 * (apart / on.apart - 1), scalar(1));
+            apart *= 0.5;
+        }
+        i.spacing = max(i.spacing, apart);
+        j.spacing = max(j.spacing, apart);
+        if (halved[k] == 0) continue;
+
+        // Every second point is one of the coarser division
+        const label n = (1 << halved[k]) - 1, coarse = n / 2;
+        const scalar area = shares[on.first] + shares[on.second];
+        const scalar ofMarkers = coarse ? 1 : fine;
+        i.size -= ofMarkers * shares[on.first];
+        j.size -= ofMarkers * shares[on.second];
+        const scalar ofAll = fine / n * area,
+                     ofCoarse = (1 - fine) / max(coarse, label(1)) * area;
+        for (label m = 1; m <= n; ++m)
+        {
+            points.append(
+                interactingPoint{ofAll + (m % 2 ? 0 : ofCoarse), 0, apart});
         }
     }
 }
 
-void Foam::contactSurface::addTo(const label* counts, const vector* forces,
+void Foam::contactSurface::setBetween(const label* halved, vector* values) const
+{
+    vector* between = values + nMarkers_;
+    forAll(connections_, k)
+    {
+        const vector &x = values[connections_[k].first],
+                     &y = values[connections_[k].second];
+        const scalar n = 1 << halved[k];
+        for (label m = 1; m < n; ++m)
+        {
+            *between++ = x + m / n * (y - x);
+        }
+    }
+}
+
+void Foam::contactSurface::addTo(const label* halved, const vector* forces,
                                  vectorField& F) const
 {
     for (label i = 0; i < nMarkers_; ++i)
@@ -116,13 +170,14 @@ void Foam::contactSurface::addTo(const label* counts, const vector* forces,
         F[i] += forces[i];
     }
     const vector* between = forces + nMarkers_;
-    forAll(ends_, k)
+    forAll(connections_, k)
     {
-        for (label n = 1; n <= counts[k]; ++n)
+        const scalar n = 1 << halved[k];
+        for (label m = 1; m < n; ++m)
         {
-            const vector onward(scalar(n) / (counts[k] + 1) * *between);
-            F[ends_[k].first()] += *between++ - onward;
-            F[ends_[k].second()] += onward;
+            const vector onward(m / n * *between);
+            F[connections_[k].first] += *between++ - onward;
+            F[connections_[k].second] += onward;
         }
     }
 }

@@ -14,7 +14,7 @@ Foam::fibreResistances::motionsHere(const lineMotions& own) const
         scalarField(x.size(), GREAT), vectorField(x.size(), Zero)};
     forAll(x, k)
     {
-        // Walls do not act beside a held end: see contactPoints::moveLine
+        // Walls do not act beside a held end: see contactPoints::addLine
         const bool rooted = numbers[k] < 0;
         motions.numbers[k] = label(rooted ? -1 - numbers[k] : numbers[k]);
         if (search_.points()[k].radius > 0 && !rooted)

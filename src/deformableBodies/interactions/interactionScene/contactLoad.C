@@ -9,8 +9,8 @@ namespace
 using namespace Foam;
 const scalar pi = constant::mathematical::pi;
 
-//- Weight and loads of the first body of a group [N]: largest at the start and at a hundred
-//  times of the run, which have no period in common with a load (golden ratio)
+//- Weight and loads of the first body of a group [N]: largest at 101 times of the run, which
+//  have no period in common with a load (golden ratio)
 scalar weightAndLoads(const bodyPoints& p, const word& group,
                       const bodyScene& scene)
 {

@@ -71,12 +71,13 @@ void Foam::overlapWatch::look(const closePairs& pairs,
         else
         {
             // Surfaces that cross have points of which some are closer to each other
-            // than half the sides of the squares that they stand for; those of a fibre
-            // through a surface are closer than the side
-            const scalar square = x.radius > 0   ? y.size
-                                  : y.radius > 0 ? x.size
-                                                 : 0.25 * max(x.size, y.size);
-            if (sqr(apart) < square) touching_.append({p.first, p.second});
+            // than 0.4 of their spacing; those of a fibre through a surface are closer
+            // than the spacing
+            const bool surfaces = x.radius == 0 && y.radius == 0;
+            if (apart < (surfaces ? 0.4 : 1.0) * max(x.spacing, y.spacing))
+            {
+                touching_.append(labelPair(p.first, p.second));
+            }
         }
     }
 }
@@ -90,9 +91,9 @@ Foam::scalarField Foam::overlapWatch::touching(const closePairs& pairs,
                                                const label n) const
 {
     scalarField here(pairs.here().size(), Zero), own(n, Zero);
-    for (const label k : touching_)
+    for (const labelPair& points : touching_)
     {
-        here[k] = 1;
+        here[points.first()] = here[points.second()] = 1;
     }
     pairs.addUp(here, 1, own.data());
     return own;
@@ -101,13 +102,29 @@ Foam::scalarField Foam::overlapWatch::touching(const closePairs& pairs,
 void Foam::overlapWatch::lookBehind(const closePairs& pairs,
                                     const UList<vector>& own)
 {
+    labelList mine;
+    for (const labelPair& points : touching_)
+    {
+        const label i = bodyOf(pairs, points.first()),
+                    j = bodyOf(pairs, points.second());
+        mine.append(labelList({min(i, j), max(i, j)}));
+    }
+    std::set<std::pair<label, label>> bodies;
+    for (const labelList& of : ofAllRanks(mine))
+    {
+        for (label k = 0; k < of.size(); k += 2)
+        {
+            bodies.insert({of[k], of[k + 1]});
+        }
+    }
     const vectorField areas(pairs.handOut(own));
-    lookAtSurfaces(pairs, areas);
+    lookAtSurfaces(pairs, areas, bodies);
     lookAtLines(pairs, areas);
 }
 
-void Foam::overlapWatch::lookAtSurfaces(const closePairs& pairs,
-                                        const vectorField& areas)
+void Foam::overlapWatch::lookAtSurfaces(
+    const closePairs& pairs, const vectorField& areas,
+    const std::set<std::pair<label, label>>& touching)
 {
     for (const closePairs::pair& p : pairs.pairs())
     {
@@ -115,6 +132,7 @@ void Foam::overlapWatch::lookAtSurfaces(const closePairs& pairs,
         if ((n & m) == 0) continue;
         const label first = bodyOf(pairs, p.first),
                     second = bodyOf(pairs, p.second);
+        if (!touching.count(std::minmax(first, second))) continue;
         const scalar apart = max(mag(p.r), VSMALL),
                      ofFirst = (n & p.r) / (mag(n) * apart),
                      ofSecond = (m & p.r) / (mag(m) * apart);
@@ -228,22 +246,20 @@ void Foam::overlapWatch::report()
     if (where.empty()) return;
 
     // Several ranks may know one pair
-    List<labelList> ofRanks(Pstream::nProcs());
-    labelList& own = ofRanks[Pstream::myProcNo()];
+    labelList own;
     for (const auto& pair : all_.pairs)
     {
         own.append(labelList({pair.first, pair.second}));
     }
-    Pstream::gatherList(ofRanks);
-    if (!Pstream::master()) return;
     std::set<std::pair<label, label>> pairs;
-    for (const labelList& numbers : ofRanks)
+    for (const labelList& numbers : ofAllRanks(own))
     {
         for (label n = 0; n < numbers.size(); n += 2)
         {
             pairs.insert({numbers[n], numbers[n + 1]});
         }
     }
+    if (!Pstream::master()) return;
     WarningInFunction << "pairs of bodies, or of bodies and walls, that "
                       << "overlapped in this run: " << label(pairs.size())
                       << "; deepest: " << where.c_str() << endl;

@@ -197,7 +197,7 @@ void isMutual(const contactForce& model, const scalar radius)
     const vectorField X(UIndirectList<vector>(all.X, mine));
     pairs.search(X, labelList(UIndirectList<label>(all.body, mine)));
     const label n = pairs.here().size();
-    const List<interactingPoint> points(n, interactingPoint{sqr(h), radius});
+    const List<interactingPoint> points(n, interactingPoint{sqr(h), radius, 0});
     vectorField there(n, Zero), F(mine.size(), Zero);
     pairForces forces{there};
     model.add(pairs, points, forces);
@@ -278,7 +278,7 @@ TEST(ClosePairs, forceOfCrossingLines)
         pairs.search(X, body);
         const label n = X.size();
         const List<interactingPoint> points(
-            n, interactingPoint{spacing * h, radius});
+            n, interactingPoint{spacing * h, radius, 0});
         vectorField F(n, Zero);
         pairForces forces{F};
         model.add(pairs, points, forces);

@@ -35,7 +35,8 @@ struct scene
                           {
                               for (label k = 0; k < 4; ++k)
                               {
-                                  X[k] = vector(k, 0, 0);
+                                  X[k] = vector(k % 2 ? 0 : 1 - k,
+                                                k % 2 ? 2 - k : 0, 0);
                                   V[k] = vector(0, k, 0);
                               }
                           });
@@ -44,8 +45,9 @@ struct scene
 };
 } // namespace
 
-// Points of connections have the area of the surface, and are dense where it is stretched;
-// forces on them have the sum, torque and power of those on the markers
+// Points of connections have the area of the surface, stretched to an ellipsoid as well, and
+// are dense where it is stretched; forces on them have the sum, torque and power of those on
+// the markers
 TEST(ContactPoints, pointsBetweenMarkers)
 {
     const label n = 300;
@@ -59,24 +61,39 @@ TEST(ContactPoints, pointsBetweenMarkers)
         V[k] = random.sample01<vector>();
     }
     const scalarField areas(n, 4 * constant::mathematical::pi / n);
-    for (const scalar range : {0.25, 1.0})
+    const scalar side = std::sqrt(areas[0]);
+    for (const scalar range : {0.3, 1.2, 2.2, 3.0})
     {
-        const contactSurface surface(X, areas, range);
-        const scalar apart = max(0.5 * range, 0.8 * std::sqrt(areas[0]));
-        for (const scalar stretch : {1.0, 5.0})
+        const contactSurface surface(X, areas, range * side);
+        const bool middles = range < 2;
+        for (const scalar stretch : {1.0, 1.2, 5.0})
         {
+            const scalar e = std::sqrt(1 - 1 / sqr(stretch));
+            const scalar ellipsoid =
+                stretch == 1 ? 1 : 0.5 * (1 + stretch / e * std::asin(e));
             vectorField x(X);
             x.replace(vector::X, stretch * X.component(vector::X));
-            labelList counts(surface.nConnections());
-            surface.count(x.cdata(), counts.data());
-            const label all = n + sum(counts);
-            scalarField parts(all);
-            surface.setAreas(counts.cdata(), parts.data());
-            EXPECT_NEAR(sum(parts) / sum(areas), 1, 1e-13);
-            if (stretch == 1)
+            labelList halved(surface.nConnections());
+            DynamicList<interactingPoint> points;
+            surface.addPoints(x.cdata(), halved.data(), points);
+            const label all = points.size();
+            scalar area = 0, largest = 0;
+            for (const interactingPoint& p : points)
             {
-                EXPECT_NEAR(scalar(all) / n, range < 1 ? 4.1 : 1, 0.2);
-                EXPECT_LT(max(parts), (range < 1 ? 0.4 : 1.001) * areas[0]);
+                EXPECT_GE(p.size, -1e-15 * areas[0]);
+                area += p.size;
+                largest = max(largest, p.size);
+            }
+            EXPECT_NEAR(area / sum(areas) / ellipsoid, 1,
+                        stretch == 1 ? 1e-13 : 0.02);
+            if (stretch < 2)
+            {
+                // As many as at rest
+                EXPECT_EQ(max(halved), middles ? 1 : 0);
+                EXPECT_EQ(min(halved), max(halved));
+                EXPECT_NEAR(scalar(all) / n, middles ? 4.1 : 1, 0.2);
+                EXPECT_LT(largest,
+                          (middles ? 0.4 : 1.001) * stretch * areas[0]);
             }
 
             vectorField v(V), f(all);
@@ -86,27 +103,62 @@ TEST(ContactPoints, pointsBetweenMarkers)
             {
                 force = random.sample01<vector>();
             }
-            surface.setBetween(counts.cdata(), x.data());
-            surface.setBetween(counts.cdata(), v.data());
+            surface.setBetween(halved.cdata(), x.data());
+            surface.setBetween(halved.cdata(), v.data());
 
-            // Each point of a connection has another beside it
-            for (label k = n; k < all; ++k)
+            // Each point has another that is near, as near as is said
+            for (label k = 0; k < all; ++k)
             {
                 scalar nearest = GREAT;
                 forAll(x, l)
                 {
                     if (l != k) nearest = min(nearest, magSqr(x[l] - x[k]));
                 }
-                EXPECT_LE(std::sqrt(nearest), 1.001 * apart);
+                EXPECT_LE(std::sqrt(nearest), 1.001 * points[k].spacing);
+                EXPECT_LE(std::sqrt(nearest),
+                          1.001 *
+                              max(0.5 * range, 1.6 * 1.6 / (middles ? 2 : 1)) *
+                              side);
             }
             vectorField F(n, Zero);
-            surface.addTo(counts.cdata(), f.cdata(), F);
+            surface.addTo(halved.cdata(), f.cdata(), F);
             const vector torque(sum(x ^ f));
             EXPECT_LE(mag(sum(F) - sum(f)), 1e-11);
             EXPECT_LE(mag(sum(SubField<vector>(x, n) ^ F) - torque),
                       1e-11 * stretch);
             EXPECT_NEAR(sum(SubField<vector>(v, n) & F), sum(v & f), 1e-10);
         }
+    }
+}
+
+// Points that appear as a connection is stretched have no area at first
+TEST(ContactPoints, pointsAppearContinuously)
+{
+    const vectorField X(List<vector>({vector(1, 0, 0), vector(-1, 0, 0),
+                                      vector(0, 1, 0), vector(0, -1, 0)}));
+    const contactSurface surface(X, scalarField(4, 1.0), 0.1);
+    for (const scalar stretch : {1.6, 3.2})
+    {
+        DynamicList<interactingPoint> points[2];
+        labelList halved[2];
+        for (const label after : {0, 1})
+        {
+            const vectorField x(stretch * (1 + 2e-9 * (after - 0.5)) * X);
+            halved[after].setSize(surface.nConnections());
+            surface.addPoints(x.cdata(), halved[after].data(), points[after]);
+        }
+        EXPECT_EQ(min(halved[1]), min(halved[0]) + 1);
+        label before = 4, after = 4;
+        for (label k = 0; k < surface.nConnections(); ++k)
+        {
+            for (label m = 1; m < 1 << halved[1][k]; ++m, ++after)
+            {
+                const scalar size = points[1][after].size;
+                EXPECT_NEAR(size, m % 2 ? 0 : points[0][before++].size, 1e-6);
+            }
+        }
+        EXPECT_EQ(before, points[0].size());
+        EXPECT_EQ(after, points[1].size());
     }
 }
 
@@ -133,7 +185,7 @@ TEST(ContactPoints, pointsOfBodies)
         area += points.points()[k].size;
     }
     EXPECT_NEAR(area / (3.4 * sqr(s.h)), 1, 1e-13);
-    EXPECT_EQ(points.points()[1].size, 2);
+    EXPECT_NEAR(points.points()[1].size, 2, 1e-14);
     EXPECT_EQ(points.points()[1].radius, 0);
     EXPECT_EQ(points.V()[3], vector(0, 3, 0));
 

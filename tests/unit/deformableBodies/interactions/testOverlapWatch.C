@@ -50,7 +50,7 @@ TEST(OverlapWatch, fibres)
     if (Pstream::parRun()) return;
     const scalar h = cmptMin(grid().h()), radius = 0.5 * h;
     const row r(scalarField(scalarList({0, 0.95 * h, 1.7 * h})), 1.2 * h);
-    const List<interactingPoint> points(3, interactingPoint{sqr(h), radius});
+    const List<interactingPoint> points(3, interactingPoint{sqr(h), radius, 0});
     overlapWatch watch(test::mesh().time(), nameOf, noHost, true);
     watch.begin();
     watch.look(r.pairs, points);
@@ -87,7 +87,7 @@ TEST(OverlapWatch, fibresThatNothingKeepsApart)
     overlapWatch watch(test::mesh().time(), nameOf, noHost, false);
     watch.begin();
     watch.look(r.pairs,
-               List<interactingPoint>(2, interactingPoint{sqr(h), 0.5 * h}));
+               List<interactingPoint>(2, interactingPoint{sqr(h), 0.5 * h, 0}));
     watch.settle();
     EXPECT_EQ(watch.nPairs(), 2);
     EXPECT_EQ(watch.nOverlaps(), 0);
@@ -100,7 +100,7 @@ TEST(OverlapWatch, surfaces)
     if (Pstream::parRun()) return;
     const scalar h = cmptMin(grid().h()), depth = 0.2 * h;
     const row r(scalarField(scalarList({0, depth})), h);
-    const List<interactingPoint> points(2, interactingPoint{sqr(h), 0});
+    const List<interactingPoint> points(2, interactingPoint{sqr(h), 0, h});
     const vector up(0, 0, sqr(h)); // area of a point
     for (const bool cross : {false, true})
     {
@@ -125,7 +125,7 @@ TEST(OverlapWatch, nuclei)
     if (Pstream::parRun()) return;
     const scalar h = cmptMin(grid().h()), depth = 0.2 * h;
     const row r(scalarField(scalarList({0, depth})), h);
-    const List<interactingPoint> points(2, interactingPoint{sqr(h), 0});
+    const List<interactingPoint> points(2, interactingPoint{sqr(h), 0, h});
     for (const label nucleus : {0, 1})
     {
         overlapWatch watch(
@@ -153,8 +153,9 @@ TEST(OverlapWatch, fibresThroughSurfaces)
         const labelList body({-1, 1, 1});
         r.pairs.search(r.X, body);
         const List<interactingPoint> points(
-            {interactingPoint{sqr(h), 0}, interactingPoint{sqr(h), 0.2 * h},
-             interactingPoint{sqr(h), 0.2 * h}});
+            {interactingPoint{sqr(h), 0, h},
+             interactingPoint{sqr(h), 0.2 * h, 0},
+             interactingPoint{sqr(h), 0.2 * h, 0}});
         overlapWatch watch(test::mesh().time(), nameOf, noHost, false);
         watch.begin();
         watch.look(r.pairs, points);
