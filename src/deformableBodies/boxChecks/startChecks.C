@@ -178,9 +178,7 @@ void Foam::startChecks::checkPair(const startingBody& a, const startingBody& b)
     if (!a.starts && !b.starts) return;
     if (!a.starts || !b.starts)
     {
-        if (!g.points(-1).isSurface() || !k.points(-1).isSurface() ||
-            mag(apart) >= max(a.radius, b.radius))
-            return;
+        if (!g.points(-1).isSurface() || !k.points(-1).isSurface()) return;
         warnings_.note(g.nameOfBody(a.number), a.centre, k.nameOfBody(b.number),
                        b.centre, "may cross: one of them continues");
         return;
@@ -261,7 +259,8 @@ void Foam::startChecks::check(const dictionary& dict)
             << "entry positions: " << firstOf(errors_.first).c_str()
             << " (such pairs: " << errors_.n << ")" << nl
             << "    allowed: bodies beside each other or one within the other, "
-            << "or coupling oneWay, which rigid bodies do not have"
-            << exit(FatalIOError);
+            << "or coupling oneWay, which rigid bodies do not have; groups "
+            << "with positions before those with placement, which keeps clear "
+            << "of groups before it" << exit(FatalIOError);
     }
 }

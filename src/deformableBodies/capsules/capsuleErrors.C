@@ -111,6 +111,7 @@ Foam::expectedError Foam::capsuleReport::cellError() const
     string by("a/h " + number(radius) +
               (group_.nBodies() > 1 ? ", each as if alone" : ""));
     std::function<string(scalar)> remedy;
+    bool known = false;
     if (!group_.scene_.forceAtFaces)
         by += ", force as an average of each cell";
     else if (!group_.round_)
@@ -121,16 +122,22 @@ Foam::expectedError Foam::capsuleReport::cellError() const
         by += ", not measured inside a capsule";
     else if (radius < leastRadius * (1 - 1e-6))
         by += ", not measured below " + number(leastRadius);
-    else if (group_.nearField_)
+    else
+        known = true;
+    if (group_.nearField_)
     {
-        by += group_.nearFieldKnown_ ? " with near field"
-                                     : ", near field beyond what is known";
+        if (known)
+            by += group_.nearFieldKnown_ ? " with near field"
+                                         : ", near field beyond what is known";
     }
     else
     {
         by += string(group_.sphere_ ? "" : ", measured on spheres only") +
               " without near field, which makes stresses " +
               number(100 * errorOfStress(radius)) + " % too high";
+    }
+    if (known && !group_.nearField_)
+    {
         remedy = [this](const scalar left)
         {
             scalar cells = leastRadius;

@@ -272,9 +272,10 @@ void Foam::capsuleGroup::setNearField(const dictionary& dict,
         scene_.rho * shell_->inertialModulus() * sqr(h / scene_.mu) / radius_;
     string unknown;
     if (inertia > maxInertia)
-        unknown = "rho K h^2/(mu^2 a) = " + Foam::name(inertia) +
-                  " (K: Gs, or a third of the area modulus), known up to " +
-                  Foam::name(maxInertia);
+        unknown = "rho E h^2/(mu^2 a) = " + Foam::name(inertia) +
+                  " (E: Gs, or a third of the area modulus), known up to " +
+                  Foam::name(maxInertia) + ", cells of " +
+                  Foam::name(h * std::sqrt(maxInertia / inertia)) + " m";
     else if (viscosityRatio_ > maxViscosityRatio * scene_.viscosityAround)
         unknown = "viscosityRatio " +
                   Foam::name(viscosityRatio_ / scene_.viscosityAround) +

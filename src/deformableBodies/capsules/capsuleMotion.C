@@ -40,7 +40,8 @@ motionType automatic(const bodyScene& scene,
     }
     const scalar inertia = waves.inertia();
     if (inertia < maxInertia) return STABILISED;
-    note = "too much inertia: Re/Ca = " + Foam::name(inertia) + ", limit " +
+    note = "too much inertia: Re/Ca = " + Foam::name(inertia) +
+           " by the stiffest modulus over the viscosity ratio, limit " +
            Foam::name(maxInertia);
     return EXPLICIT;
 }

@@ -181,10 +181,13 @@ void Foam::checkErrors(const List<expectedErrors>& errors, const scalar wanted,
                    enough + " for group " + group.group + " (" + list + ")" +
                        remedies);
         }
-        IOWarningInFunction(dict) << "entry accuracy has the value " << wanted
-                                  << ", but the error of group " << group.group
-                                  << " is not known: " << list.c_str() << nl
-                                  << "    bin/accuracyCost finds it" << endl;
+        IOWarningInFunction(dict)
+            << "entry accuracy has the value " << wanted
+            << ", but the error of group " << group.group
+            << " is not known: " << list.c_str() << nl
+            << "    bin/accuracyCost shows how results change with "
+               "cells and deltaT"
+            << endl;
     }
     Info << endl;
 }

@@ -71,8 +71,21 @@ Foam::expectedErrors Foam::filamentReport::errors() const
     const flowScales& flow = group_.scene_.flow;
     expectedErrors e{group_.name(), "shape", {}};
     const label n = group_.properties_.segments;
+    // Flow bends a fibre within the length at which drag and bending balance
+    const scalar segment = group_.properties_.ds();
+    const scalar bend = group_.twoWay() && flow.rate > 0
+                            ? std::pow(group_.properties_.rigidity /
+                                           (group_.scene_.mu * flow.rate),
+                                       0.25)
+                            : GREAT;
+    const bool resolved = segment < 0.25 * bend;
     e.parts.push_back(
-        {"segments", 4.0 / (n * n), Foam::name(n), [](const scalar left) {
+        {"segments", resolved ? 4.0 / (n * n) : -1,
+         Foam::name(n) +
+             (resolved ? ""
+                       : ", longer than a quarter of (B/(mu rate))^(1/4), " +
+                             Foam::name(bend) + " m"),
+         [](const scalar left) {
              return "segments " +
                     Foam::name(label(std::ceil(2 / std::sqrt(left))));
          }});
@@ -115,7 +128,10 @@ std::vector<Foam::errorIndicator> Foam::filamentReport::indicators() const
     }
     std::vector<errorIndicator> all(
         {{"1 - cosine of the angle between segments", bend, 0.05,
-          "entry segments to more"},
+          group_.twoWay() && group_.properties_.ds() < 1.1 * group_.h_
+              ? "cells to smaller ones, with more segments, or "
+                "bendingRigidity to more: segments are as short as a cell"
+              : "entry segments to more"},
          {"change of length", length, 1e-3, smallerSteps(group_.scene_)}});
     if (group_.twoWay())
     {

@@ -171,9 +171,7 @@ void refuseCrowd(const dictionary& dict, const scalar fraction,
     const word entry(dict.found("number") ? "number"
                      : dict.found("nL3")  ? "nL3"
                                           : "volumeFraction");
-    refuse(dict, entry,
-           entry == "volumeFraction" ? Foam::name(fraction)
-                                     : valueOf(*dict.findEntry(entry)),
+    refuse(dict, entry, valueOf(*dict.findEntry(entry)),
            size == 0
                ? string("as much as there is room for: not even bodies of a "
                         "fifth of the size were placed")
@@ -181,8 +179,10 @@ void refuseCrowd(const dictionary& dict, const scalar fraction,
                      Foam::name(size) +
                      " of their size, a volume fraction of " +
                      Foam::name(pow3(size) * fraction) + " instead of " +
-                     Foam::name(fraction) + ". A minimumGap below " +
-                     Foam::name(gap) + " leaves more");
+                     Foam::name(fraction) +
+                     (gap > 0 ? ". A minimumGap below " + Foam::name(gap) +
+                                    " leaves more"
+                              : ""));
 }
 } // namespace
 

@@ -32,11 +32,9 @@ direction acrossSides(const uniformGrid& grid, const shearSides& shear)
     {
         if (sides[d][0].wall || sides[d][1].wall) return d;
     }
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (!grid.periodic(d)) return d;
-    }
-    return 1;
+    return !grid.periodic(0)                       ? 0
+           : grid.periodic(1) && !grid.periodic(2) ? 2
+                                                   : 1;
 }
 } // namespace
 
@@ -55,8 +53,8 @@ Foam::functionObjects::phaseProfiles::phaseProfiles(const word& name,
         const fluidViscosity nu(mesh_, transport, dictionary::null);
         nu_ = nu.value();
         withStress_ = nu.isUniform();
-        if (transport.found("rho"))
-            rho_ = readPositive(transport, "rho", dimDensity);
+        perRho_ = !transport.found("rho");
+        if (!perRho_) rho_ = readPositive(transport, "rho", dimDensity);
     }
     else
     {
@@ -116,11 +114,10 @@ Foam::functionObjects::phaseProfiles::sums() const
     append(viscous_);
     append(reynolds_);
     append(ofBodies_);
-    forAll(volume_, g)
-    {
-        append(volume_[g]);
-        append(momentum_[g]);
-    }
+    for (const scalarField& volume : volume_)
+        append(volume);
+    for (const vectorField& momentum : momentum_)
+        append(momentum);
     return all;
 }
 
@@ -142,29 +139,23 @@ void Foam::functionObjects::phaseProfiles::readState()
     const auto saved = savedState();
     if (!saved) return;
     const labelList directions({label(f_), label(g_)});
-    if (saved->getOrDefault<labelList>("directions", labelList()) != directions)
-    {
-        Info << "functionObject " << name() << " starts afresh: its directions "
-             << "are not those of the state" << nl;
-        return;
-    }
     const wordList groups(bodies_.system().groupNames());
-    if (saved->getOrDefault<wordList>("groups", groups) != groups)
-    {
-        Info << "functionObject " << name() << " starts afresh: its groups are "
-             << "not those of the state" << nl;
-        return;
-    }
     const scalarList numbers(saved->get<scalarList>("sums"));
     label n = 0, k = 0;
     for (const UList<scalar>& to : sums())
     {
         n += to.size();
     }
-    if (n != numbers.size())
+    const char* differ =
+        saved->getOrDefault<labelList>("directions", labelList()) != directions
+            ? "directions"
+        : saved->getOrDefault<wordList>("groups", groups) != groups ? "groups"
+        : n != numbers.size()                                       ? "layers"
+                                                                    : nullptr;
+    if (differ)
     {
-        Info << "functionObject " << name() << " starts afresh: its layers are "
-             << "not those of the state" << nl;
+        Info << "functionObject " << name() << " starts afresh: its " << differ
+             << " are not those of the state" << nl;
         return;
     }
     for (UList<scalar> to : sums())
@@ -268,19 +259,14 @@ void Foam::functionObjects::phaseProfiles::writeProfiles(Ostream& os) const
     }
     os << nl << "# [m] [m/s] [m/s] [m/s] [m/s] [m/s] [m/s]";
     forAll(volume_, g)
-    {
         os << " [1] [m/s] [m/s] [m/s]";
-    }
     os << nl;
     if (!bodies_.empty()) writeFreeLayers(os);
     forAll(u_, j)
     {
         const vector u(u_[j] / weight_), squares(squares_[j] / weight_);
         os << grid_.origin()[g_] + (j + 0.5) * grid_.h()[g_];
-        for (direction d = 0; d < 3; ++d)
-        {
-            os << ' ' << u[d];
-        }
+        os << ' ' << u.x() << ' ' << u.y() << ' ' << u.z();
         for (direction d = 0; d < 3; ++d)
         {
             os << ' ' << Foam::sqrt(max(squares[d] - sqr(u[d]), scalar(0)));
@@ -298,8 +284,9 @@ void Foam::functionObjects::phaseProfiles::writeProfiles(Ostream& os) const
 void Foam::functionObjects::phaseProfiles::writeStress(Ostream& os) const
 {
     os.precision(10);
+    const char* unit = perRho_ ? " [m^2/s^2]" : " [Pa]";
     os << "# " << vector::componentNames[g_] << " viscous reynolds bodies sum"
-       << nl << "# [m] [Pa] [Pa] [Pa] [Pa]" << nl;
+       << nl << "# [m]" << unit << unit << unit << unit << nl;
     forAll(viscous_, j)
     {
         const scalar viscous = viscous_[j] / weight_,

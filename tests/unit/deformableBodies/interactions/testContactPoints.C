@@ -88,7 +88,7 @@ TEST(ContactPoints, pointsBetweenMarkers)
                         stretch == 1 ? 1e-13 : 0.02);
             if (stretch < 2)
             {
-                // As many as at rest
+                // The number is that at rest
                 EXPECT_EQ(max(halved), middles ? 1 : 0);
                 EXPECT_EQ(min(halved), max(halved));
                 EXPECT_NEAR(scalar(all) / n, middles ? 4.1 : 1, 0.2);
