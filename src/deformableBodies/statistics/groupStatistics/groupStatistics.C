@@ -199,10 +199,9 @@ void Foam::groupStatistics::writeMeans(Ostream& os) const
                << lines.deviation() << nl;
             continue;
         }
-        const scalar reference = reference_.empty() ? 0 : reference_[i];
         os << m.value << ' ' << m.error << ' '
            << Foam::sqrt(
-                  max(squares.value - sqr(m.value - reference), scalar(0)))
+                  max(squares.value - sqr(m.value - reference_[i]), scalar(0)))
            << nl;
         const label component = i - quantities_.find("axisXX");
         if (axis_ >= 0 && component >= 0 && component < 6)
