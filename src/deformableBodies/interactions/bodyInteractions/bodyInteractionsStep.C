@@ -120,7 +120,7 @@ void Foam::bodyInteractions::act(contactSearch& search, const labelUList& body,
     watch_.look(search.pairs(), search.points());
     if (watch_.surfacesTouch())
     {
-        watch_.lookBehind(search.pairs(),
+        watch_.lookBehind(search.pairs(), search.points(),
                           touchingAreas(search.pairs(), body.size()));
     }
     const auto add = [&](pairForces all)

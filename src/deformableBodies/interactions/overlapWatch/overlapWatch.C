@@ -100,13 +100,14 @@ Foam::scalarField Foam::overlapWatch::touching(const closePairs& pairs,
 }
 
 void Foam::overlapWatch::lookBehind(const closePairs& pairs,
+                                    const UList<interactingPoint>& points,
                                     const UList<vector>& own)
 {
     labelList mine;
-    for (const labelPair& points : touching_)
+    for (const labelPair& near : touching_)
     {
-        const label i = bodyOf(pairs, points.first()),
-                    j = bodyOf(pairs, points.second());
+        const label i = bodyOf(pairs, near.first()),
+                    j = bodyOf(pairs, near.second());
         mine.append(labelList({min(i, j), max(i, j)}));
     }
     std::set<std::pair<label, label>> bodies;
@@ -118,16 +119,21 @@ void Foam::overlapWatch::lookBehind(const closePairs& pairs,
         }
     }
     const vectorField areas(pairs.handOut(own));
-    lookAtSurfaces(pairs, areas, bodies);
+    lookAtSurfaces(pairs, points, areas, bodies);
     lookAtLines(pairs, areas);
 }
 
 void Foam::overlapWatch::lookAtSurfaces(
-    const closePairs& pairs, const vectorField& areas,
-    const std::set<std::pair<label, label>>& touching)
+    const closePairs& pairs, const UList<interactingPoint>& points,
+    const vectorField& areas, const std::set<std::pair<label, label>>& touching)
 {
     for (const closePairs::pair& p : pairs.pairs())
     {
+        // Normals are those of the place up to the spacing of the points only
+        if (mag(p.r) > max(points[p.first].spacing, points[p.second].spacing))
+        {
+            continue;
+        }
         const vector &n = areas[p.first], &m = areas[p.second];
         if ((n & m) == 0) continue;
         const label first = bodyOf(pairs, p.first),

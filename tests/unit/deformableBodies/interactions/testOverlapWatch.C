@@ -112,7 +112,7 @@ TEST(OverlapWatch, surfaces)
 
         vectorField areas(2, up);
         areas[cross ? 0 : 1] *= -1;
-        watch.lookBehind(r.pairs, areas);
+        watch.lookBehind(r.pairs, points, areas);
         watch.settle();
         EXPECT_EQ(watch.nOverlaps(), cross ? 1 : 0);
         EXPECT_NEAR(watch.deepest(), cross ? depth : 0, 1e-12 * h);
@@ -135,7 +135,7 @@ TEST(OverlapWatch, nuclei)
             true);
         watch.begin();
         watch.look(r.pairs, points);
-        watch.lookBehind(r.pairs, vectorField(2, vector(0, 0, sqr(h))));
+        watch.lookBehind(r.pairs, points, vectorField(2, vector(0, 0, sqr(h))));
         watch.settle();
         EXPECT_EQ(watch.nOverlaps(), nucleus); // the second is above the first
     }
@@ -162,7 +162,7 @@ TEST(OverlapWatch, fibresThroughSurfaces)
         EXPECT_TRUE(watch.surfacesTouch());
         vectorField areas(3, Zero);
         areas[0].z() = sqr(h);
-        watch.lookBehind(r.pairs, areas);
+        watch.lookBehind(r.pairs, points, areas);
         watch.settle();
         EXPECT_EQ(watch.nOverlaps(), label(crosses));
         EXPECT_NEAR(watch.deepest(), crosses ? 0.4 * h : 0, 1e-12 * h);
