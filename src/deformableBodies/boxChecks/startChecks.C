@@ -179,8 +179,9 @@ void Foam::startChecks::checkPair(const startingBody& a, const startingBody& b)
     if (!a.starts || !b.starts)
     {
         if (!g.points(-1).isSurface() || !k.points(-1).isSurface()) return;
-        warnings_.note(g.nameOfBody(a.number), a.centre, k.nameOfBody(b.number),
-                       b.centre, "may cross: one of them continues");
+        warnings_.note(
+            g.nameOfBody(a.number), a.centre, k.nameOfBody(b.number), b.centre,
+            "may cross, which is not looked at: one of them continues");
         return;
     }
     const scalar h = cmptMin(grid_.h());
@@ -249,7 +250,9 @@ void Foam::startChecks::check(const dictionary& dict)
         IOWarningInFunction(dict)
             << firstOf(warnings_.first).c_str()
             << " (such pairs: " << warnings_.n << ")" << nl
-            << "    The fluid between them is not resolved" << endl;
+            << "    Where they touch or cross the fluid between them is not "
+               "resolved"
+            << endl;
     }
     reduce(errors_.n, sumOp<label>());
     if (errors_.n)

@@ -82,9 +82,10 @@ Foam::expectedErrors Foam::filamentReport::errors() const
     e.parts.push_back(
         {"segments", resolved ? 4.0 / (n * n) : -1,
          Foam::name(n) +
-             (resolved ? ""
-                       : ", longer than a quarter of (B/(mu rate))^(1/4), " +
-                             Foam::name(bend) + " m"),
+             (resolved
+                  ? ""
+                  : " of " + Foam::name(segment) + " m, longer than " +
+                        Foam::name(0.25 * bend) + " m = (B/(mu rate))^(1/4)/4"),
          [](const scalar left) {
              return "segments " +
                     Foam::name(label(std::ceil(2 / std::sqrt(left))));

@@ -136,16 +136,15 @@ bool Foam::functionObjects::bodyStatistics::execute()
             g.group(), [&](const label i) { return report.sample(i); }));
         if (Pstream::master()) g.add(last_, dt, rows);
     }
-    return true;
+    return !isLast() || write();
 }
 
 bool Foam::functionObjects::bodyStatistics::write()
 {
     if (postProcess || !Pstream::master()) return true;
-    const fileName dir(folder());
     for (const groupStatistics& g : groups_)
     {
-        g.write(dir / g.group().name());
+        if (g.hasSamples()) g.write(folder() / g.group().name());
     }
     return true;
 }

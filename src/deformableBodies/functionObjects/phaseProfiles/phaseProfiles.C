@@ -114,10 +114,11 @@ Foam::functionObjects::phaseProfiles::sums() const
     append(viscous_);
     append(reynolds_);
     append(ofBodies_);
-    for (const scalarField& volume : volume_)
-        append(volume);
-    for (const vectorField& momentum : momentum_)
-        append(momentum);
+    forAll(volume_, g)
+    {
+        append(volume_[g]);
+        append(momentum_[g]);
+    }
     return all;
 }
 
@@ -211,7 +212,7 @@ bool Foam::functionObjects::phaseProfiles::execute()
         volume_[g] += dt * volume / layer;
         momentum_[g] += dt * momentum / layer;
     }
-    return true;
+    return !isLast() || write();
 }
 
 bool Foam::functionObjects::phaseProfiles::write()

@@ -118,6 +118,13 @@ void Foam::functionObjects::sampledBodies::keepState()
     state_.reset(new sums(name(), "uniform", mesh_, write));
 }
 
+bool Foam::functionObjects::sampledBodies::isLast() const
+{
+    return isLastStep(time_) ||
+           time_.value() + time_.deltaTValue() * (1 - 1e-6) >
+               entries_->getOrDefault<scalar>("timeEnd", GREAT);
+}
+
 bool Foam::functionObjects::sampledBodies::isOver() const
 {
     return time_.value() > entries_->getOrDefault<scalar>("timeEnd", GREAT);
@@ -164,13 +171,11 @@ Foam::scalar Foam::functionObjects::sampledBodies::elapsed()
     if (postProcess || dt < 0.5 * time_.deltaTValue()) return 0;
     requireMotion(bodies_, *this);
     last_ = time_.value();
-    unwritten_ = true;
     return dt;
 }
 
-Foam::fileName Foam::functionObjects::sampledBodies::folder()
+Foam::fileName Foam::functionObjects::sampledBodies::folder() const
 {
-    unwritten_ = false;
     const fileName dir(time_.globalPath() / "postProcessing" / name() /
                        time_.timeName());
     mkDir(dir);

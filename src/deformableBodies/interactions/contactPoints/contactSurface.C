@@ -82,8 +82,7 @@ Foam::contactSurface::contactSurface(const vectorField& X,
     // In an order that keeps patches small
     connections_ = List<connection>(all, patchOrder(vectorField(middles)));
 
-    // A quarter of the area is that of the markers, where there are other points
-    shares_ = 0.75 / max(shares_, scalar(1));
+    shares_ = 1 / max(shares_, scalar(1));
     areas_ /= max(stretches(X.cdata()), VSMALL);
 }
 
@@ -131,18 +130,19 @@ void Foam::contactSurface::addPoints(
         j.spacing = max(j.spacing, apart);
         if (halved[k] == 0) continue;
 
-        // Every second point is one of the coarser division
+        // Every second point is one of the coarser division. Markers have three connections
+        // each: points of equal areas have 3 n/(1 + 3 n) of it
         const label n = (1 << halved[k]) - 1, coarse = n / 2;
         const scalar area = shares[on.first] + shares[on.second];
-        const scalar ofMarkers = coarse ? 1 : fine;
+        const scalar ofAll = 3 * fine / (1 + 3 * n),
+                     ofCoarse = 3 * (1 - fine) / (1 + 3 * coarse),
+                     ofMarkers = n * ofAll + coarse * ofCoarse;
         i.size -= ofMarkers * shares[on.first];
         j.size -= ofMarkers * shares[on.second];
-        const scalar ofAll = fine / n * area,
-                     ofCoarse = (1 - fine) / max(coarse, label(1)) * area;
         for (label m = 1; m <= n; ++m)
         {
-            points.append(
-                interactingPoint{ofAll + (m % 2 ? 0 : ofCoarse), 0, apart});
+            points.append(interactingPoint{
+                (ofAll + (m % 2 ? 0 : ofCoarse)) * area, 0, apart});
         }
     }
 }

@@ -29,6 +29,25 @@ Foam::overlapWatch::overlapWatch(const Time& time,
 {
 }
 
+std::set<std::pair<Foam::label, Foam::label>>
+Foam::overlapWatch::ofAll(const std::set<std::pair<label, label>>& own)
+{
+    labelList numbers;
+    for (const auto& pair : own)
+    {
+        numbers.append(labelList({pair.first, pair.second}));
+    }
+    std::set<std::pair<label, label>> all;
+    for (const labelList& of : ofAllRanks(numbers))
+    {
+        for (label k = 0; k < of.size(); k += 2)
+        {
+            all.insert({of[k], of[k + 1]});
+        }
+    }
+    return all;
+}
+
 void Foam::overlapWatch::begin()
 {
     if (stepIndex(time_) != step_) settle();
@@ -103,21 +122,13 @@ void Foam::overlapWatch::lookBehind(const closePairs& pairs,
                                     const UList<interactingPoint>& points,
                                     const UList<vector>& own)
 {
-    labelList mine;
+    std::set<std::pair<label, label>> mine;
     for (const labelPair& near : touching_)
     {
-        const label i = bodyOf(pairs, near.first()),
-                    j = bodyOf(pairs, near.second());
-        mine.append(labelList({min(i, j), max(i, j)}));
+        mine.insert(std::minmax(bodyOf(pairs, near.first()),
+                                bodyOf(pairs, near.second())));
     }
-    std::set<std::pair<label, label>> bodies;
-    for (const labelList& of : ofAllRanks(mine))
-    {
-        for (label k = 0; k < of.size(); k += 2)
-        {
-            bodies.insert({of[k], of[k + 1]});
-        }
-    }
+    const std::set<std::pair<label, label>> bodies(ofAll(mine));
     const vectorField areas(pairs.handOut(own));
     lookAtSurfaces(pairs, points, areas, bodies);
     lookAtLines(pairs, areas);
@@ -251,20 +262,7 @@ void Foam::overlapWatch::report()
     const string where(describe(all_));
     if (where.empty()) return;
 
-    // Several ranks may know one pair
-    labelList own;
-    for (const auto& pair : all_.pairs)
-    {
-        own.append(labelList({pair.first, pair.second}));
-    }
-    std::set<std::pair<label, label>> pairs;
-    for (const labelList& numbers : ofAllRanks(own))
-    {
-        for (label n = 0; n < numbers.size(); n += 2)
-        {
-            pairs.insert({numbers[n], numbers[n + 1]});
-        }
-    }
+    const std::set<std::pair<label, label>> pairs(ofAll(all_.pairs));
     if (!Pstream::master()) return;
     WarningInFunction << "pairs of bodies, or of bodies and walls, that "
                       << "overlapped in this run: " << label(pairs.size())

@@ -171,7 +171,6 @@ void Foam::groupStatistics::addConcentration(const List<scalarList>& rows,
 
 void Foam::groupStatistics::write(const fileName& stem) const
 {
-    if (reference_.empty()) return;
     const auto file = [&](const char* what)
     { return autoPtr<OFstream>(new OFstream(stem + "." + what + ".dat")); };
     writeMeans(file("means")());

@@ -119,6 +119,26 @@ TEST(OverlapWatch, surfaces)
     }
 }
 
+// Bodies that do not touch do not cross, whatever the normals of those that touch others
+TEST(OverlapWatch, othersNear)
+{
+    if (Pstream::parRun()) return;
+    const scalar h = cmptMin(grid().h());
+    const row r(scalarField(scalarList({0, 0.2 * h, 0.9 * h})), h);
+    const List<interactingPoint> points(3, interactingPoint{sqr(h), 0, h});
+    overlapWatch watch(test::mesh().time(), nameOf, noHost, true);
+    watch.begin();
+    watch.look(r.pairs, points);
+    EXPECT_EQ(sum(watch.touching(r.pairs, 3)), 2);
+
+    // The first two face each other, the second and the third face away
+    vectorField areas(3, vector(0, 0, sqr(h)));
+    areas[1] *= -1;
+    watch.lookBehind(r.pairs, points, areas);
+    watch.settle();
+    EXPECT_EQ(watch.nOverlaps(), 0);
+}
+
 // A nucleus crosses its capsule where its surface lies outside; normals are alike
 TEST(OverlapWatch, nuclei)
 {
