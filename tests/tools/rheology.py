@@ -159,7 +159,7 @@ def trends(table):
         ("inclination of capsules falls with the fraction at Re 0.1 and 1", -1, "angle",
          neighbours(known, "fraction", Re=slow), 3),
         ("    at Re 10, from 20 to 30 %", -1, "angle",
-         neighbours(known, "fraction", Re=("10",), fraction=("0.2", "0.3")), 2.5),
+         neighbours(known, "fraction", Re=("10",), fraction=("0.2", "0.3")), 3),
         ("D of capsules is lowered by nuclei", -1, "D", neighbours(known, "nucleus"), 3),
         ("viscosity of fibres, n L^3 10, Re 1 and 10, falls from stiffness 1 to 0.001 to 0.0001", 1, "viscosity",
          neighbours(fibres, "stiffness", stiffness=("1", "0.001", "0.0001"), **stiff), 3),

@@ -135,17 +135,15 @@ Foam::expectedError Foam::capsuleReport::cellError() const
         by += string(group_.sphere_ ? "" : ", measured on spheres only") +
               " without near field, which makes stresses " +
               number(100 * errorOfStress(radius)) + " % too high";
-    }
-    if (known && !group_.nearField_)
-    {
-        remedy = [this](const scalar left)
-        {
-            scalar cells = leastRadius;
-            while (errorOfSmoothing(cells) > left)
-                cells *= 1.01;
-            return "cells of " + atMost(group_.radius_ / cells) +
-                   " m and smaller";
-        };
+        if (known)
+            remedy = [this](const scalar left)
+            {
+                scalar cells = leastRadius;
+                while (errorOfSmoothing(cells) > left)
+                    cells *= 1.01;
+                return "cells of " + atMost(group_.radius_ / cells) +
+                       " m and smaller";
+            };
     }
     return {"cells", errorOfCells(bool(group_.nearField_)), by, remedy};
 }

@@ -141,7 +141,8 @@ void Foam::overlapWatch::lookAtSurfaces(
     for (const closePairs::pair& p : pairs.pairs())
     {
         // Normals are those of the place up to the spacing of the points only
-        if (mag(p.r) > max(points[p.first].spacing, points[p.second].spacing))
+        const scalar apart = max(mag(p.r), VSMALL);
+        if (apart > max(points[p.first].spacing, points[p.second].spacing))
         {
             continue;
         }
@@ -150,8 +151,7 @@ void Foam::overlapWatch::lookAtSurfaces(
         const label first = bodyOf(pairs, p.first),
                     second = bodyOf(pairs, p.second);
         if (!touching.count(std::minmax(first, second))) continue;
-        const scalar apart = max(mag(p.r), VSMALL),
-                     ofFirst = (n & p.r) / (mag(n) * apart),
+        const scalar ofFirst = (n & p.r) / (mag(n) * apart),
                      ofSecond = (m & p.r) / (mag(m) * apart);
 
         // Either point lies behind the other's surface, or that of a nucleus outside its
