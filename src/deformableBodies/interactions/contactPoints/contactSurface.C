@@ -3,6 +3,8 @@
 #include "contactSurface.H"
 #include "ListOps.H"
 #include "patchOrder.H"
+#include "quietEigen.H"
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -57,6 +59,27 @@ std::set<std::pair<label, label>> neighbours(const vectorField& X)
     }
     return pairs;
 }
+
+//- Weights of values at the directions e that give the height of the surface above the middle
+//  of the chord from the first to the second: exact for polynomials of degree two in the
+//  tangential plane, and of least norm. Empty: these directions do not determine them
+Eigen::VectorXd heightWeights(const UList<vector>& e)
+{
+    if (e.size() < 6) return Eigen::VectorXd();
+    const vector ahead(e[1] - e[0]), aside(e[0] ^ e[1]);
+    Eigen::MatrixXd monomials(6, e.size());
+    forAll(e, k)
+    {
+        const scalar u = (e[k] & ahead) / mag(ahead),
+                     v = (e[k] & aside) / mag(aside);
+        monomials.col(k) << 1, u, v, u * u, u * v, v * v;
+    }
+    const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> all(
+        monomials);
+    if (all.rank() < 6) return Eigen::VectorXd();
+    const Eigen::VectorXd chord(0.5 * (monomials.col(0) + monomials.col(1)));
+    return all.solve(Eigen::VectorXd::Unit(6, 0) - chord);
+}
 } // namespace
 
 Foam::contactSurface::contactSurface(const vectorField& X,
@@ -69,21 +92,53 @@ Foam::contactSurface::contactSurface(const vectorField& X,
 {
     DynamicList<connection> all;
     DynamicList<vector> middles;
+    List<std::set<label>> beside(X.size());
     for (const auto& pair : neighbours(X))
     {
         const label i = pair.first, j = pair.second;
         const scalar apart = mag(X[j] - X[i]) / (1 << atRest_);
-        all.append(connection{i, j, max(0.5 * range, 1.6 * apart)});
+        all.append(connection{i, j, max(0.5 * range, 1.6 * apart), 0});
         middles.append(X[i] + X[j]);
         ++shares_[i];
         ++shares_[j];
+        beside[i].insert(j);
+        beside[j].insert(i);
     }
 
     // In an order that keeps patches small
     connections_ = List<connection>(all, patchOrder(vectorField(middles)));
+    for (connection& on : connections_)
+    {
+        setHeight(X, on, beside[on.first], beside[on.second]);
+    }
 
     shares_ = 1 / max(shares_, scalar(1));
     areas_ /= max(stretches(X.cdata()), VSMALL);
+}
+
+void Foam::contactSurface::setHeight(const vectorField& X, connection& on,
+                                     std::set<label> about,
+                                     const std::set<label>& ofSecond)
+{
+    about.insert(ofSecond.begin(), ofSecond.end());
+    about.erase(on.first);
+    about.erase(on.second);
+    DynamicList<label> markers(labelList({on.first, on.second}));
+    for (const label k : about)
+    {
+        if ((X[k] & (X[on.first] + X[on.second])) > 0) markers.append(k);
+    }
+    DynamicList<vector> e;
+    for (const label k : markers)
+    {
+        e.append(X[k] / mag(X[k]));
+    }
+    const Eigen::VectorXd weights(heightWeights(e));
+    on.nHeights = weights.size();
+    for (label k = 0; k < on.nHeights; ++k)
+    {
+        heights_.append({markers[k], weights[k]});
+    }
 }
 
 Foam::scalarField Foam::contactSurface::stretches(const vector* X) const
@@ -150,14 +205,22 @@ void Foam::contactSurface::addPoints(
 void Foam::contactSurface::setBetween(const label* halved, vector* values) const
 {
     vector* between = values + nMarkers_;
+    const weight* heights = heights_.cdata();
     forAll(connections_, k)
     {
-        const vector &x = values[connections_[k].first],
-                     &y = values[connections_[k].second];
+        const connection& on = connections_[k];
+        const vector &x = values[on.first], &y = values[on.second];
         const scalar n = 1 << halved[k];
+        vector height(Zero);
+        for (const weight* end = heights + on.nHeights; heights < end;)
+        {
+            height += heights->value * values[heights->marker];
+            ++heights;
+        }
         for (label m = 1; m < n; ++m)
         {
-            *between++ = x + m / n * (y - x);
+            const scalar s = m / n;
+            *between++ = x + s * (y - x) + 4 * s * (1 - s) * height;
         }
     }
 }
@@ -170,14 +233,24 @@ void Foam::contactSurface::addTo(const label* halved, const vector* forces,
         F[i] += forces[i];
     }
     const vector* between = forces + nMarkers_;
+    const weight* heights = heights_.cdata();
     forAll(connections_, k)
     {
+        const connection& on = connections_[k];
         const scalar n = 1 << halved[k];
+        vector onHeight(Zero);
         for (label m = 1; m < n; ++m)
         {
-            const vector onward(m / n * *between);
-            F[connections_[k].first] += *between++ - onward;
-            F[connections_[k].second] += onward;
+            const scalar s = m / n;
+            const vector force(*between++);
+            F[on.first] += (1 - s) * force;
+            F[on.second] += s * force;
+            onHeight += 4 * s * (1 - s) * force;
+        }
+        for (const weight* end = heights + on.nHeights; heights < end;)
+        {
+            F[heights->marker] += heights->value * onHeight;
+            ++heights;
         }
     }
 }

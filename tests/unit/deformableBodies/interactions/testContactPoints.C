@@ -1,6 +1,7 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "contactPoints.H"
+#include "surfacePoints.H"
 #include "unitTest.H"
 
 using namespace Foam;
@@ -116,7 +117,7 @@ TEST(ContactPoints, pointsBetweenMarkers)
             surface.setBetween(halved.cdata(), x.data());
             surface.setBetween(halved.cdata(), v.data());
 
-            // Each point has another at its spacing
+            // Each point has another at its spacing, which is along the chord
             for (label k = 0; k < all; ++k)
             {
                 scalar nearest = GREAT;
@@ -124,7 +125,7 @@ TEST(ContactPoints, pointsBetweenMarkers)
                 {
                     if (l != k) nearest = min(nearest, magSqr(x[l] - x[k]));
                 }
-                EXPECT_LE(std::sqrt(nearest), 1.001 * points[k].spacing);
+                EXPECT_LE(std::sqrt(nearest), 1.1 * points[k].spacing);
             }
             vectorField F(n, Zero);
             surface.addTo(halved.cdata(), f.cdata(), F);
@@ -134,6 +135,42 @@ TEST(ContactPoints, pointsBetweenMarkers)
                       1e-11 * stretch);
             EXPECT_NEAR(sum(SubField<vector>(v, n) & F), sum(v & f), 1e-10);
         }
+    }
+}
+
+// Points of connections lie on the surface: of the markers of a capsule, as a sphere, and
+// stretched to a spindle and a disk
+TEST(ContactPoints, pointsOnTheSurface)
+{
+    const surfacePoints markers(10, 14, 10);
+    const label n = markers.size();
+    vectorField X(n);
+    for (label k = 0; k < n; ++k)
+    {
+        X[k] = markers.onUnitSphere(k);
+    }
+    const contactSurface surface(X, scalarField(n, 12.6 / n), 0.2);
+    for (const vector& axes :
+         {vector(1, 1, 1), vector(3, 0.6, 0.6), vector(1.6, 1.6, 0.4)})
+    {
+        vectorField x(n);
+        for (label k = 0; k < n; ++k)
+        {
+            x[k] = cmptMultiply(axes, X[k]);
+        }
+        labelList halved(surface.nConnections());
+        DynamicList<interactingPoint> points;
+        surface.addPoints(x.cdata(), halved.data(), points);
+        x.setSize(points.size());
+        surface.setBetween(halved.cdata(), x.data());
+        scalar furthest = 0;
+        for (const vector& point : x)
+        {
+            const vector scaled(cmptDivide(point, axes));
+            const vector normal(cmptDivide(scaled, axes));
+            furthest = max(furthest, mag(mag(scaled) - 1) / mag(normal));
+        }
+        test::expectBelow("distance from the surface", furthest, 2e-3);
     }
 }
 
