@@ -114,7 +114,7 @@ void Foam::bodyCollection::advance(const surfaceScalarField& phi)
         // How the solver treats diffusion is not known: by nu dt/h^2
         moveWithPrediction(velocityPrediction::ofLastStep(
             u,
-            system_.grid.diffusionNumber(system_.nu->value(),
+            system_.grid.diffusionNumber(system_.largestViscosity(),
                                          time.deltaTValue()),
             force));
         if (mustStop()) return;

@@ -8,7 +8,7 @@ void Foam::bodyLimits::checkCorrectors(const dictionary& controls) const
 {
     if (!system_.twoWay()) return;
     const scalar n = controls.getOrDefault<label>("nCorrectors", 1);
-    const scalar diffusionNumber = system_.nu->value() *
+    const scalar diffusionNumber = system_.largestViscosity() *
                                    system_.mesh.time().deltaTValue() /
                                    sqr(cmptMin(system_.grid.h()));
     const scalar enough = diffusionNumber > 1.5 ? 4 : 2;

@@ -90,13 +90,14 @@ void Foam::bodyReader::addNuclei(const dictionary& bodies, const word& name,
         refuse(bodies, inside, valueOf(*bodies.findEntry(inside)),
                "other names: the nuclei of " + name + " have this one");
     }
-    const nucleusReader reader(group, system_.groups[host], system_.grid);
+    nucleusReader reader(group, system_.groups[host], system_.grid);
     const dictionary nuclei(reader.group());
     bodyScene within(scene);
     within.insideBodies = true;
     within.coupling = bodyCoupling::twoWay; // capsules with nuclei have it, too
     within.viscosityAround = system_.groups[host].inside()->viscosityRatio();
     within.mu *= within.viscosityAround;
+    within.densityAround = group.getOrDefault<scalar>("densityRatio", 1);
     system_.groups.append(bodyGroup::New(inside, nuclei, within).ptr());
     system_.groups.last().setHost(host, system_.groups[host]);
     if (!system_.groups[host].nearSources() ||

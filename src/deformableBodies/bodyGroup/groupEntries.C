@@ -1,34 +1,9 @@
 // This file is part of deformableBodies. License: GPL-3.0-or-later.
 
 #include "groupEntries.H"
-#include "dictionaryChecks.H"
-#include "Enum.H"
 #include "periodicBox.H"
 #include "placement.H"
 #include "weight.H"
-
-Foam::FixedList<Foam::direction, 2> Foam::groupEntries::shearPlane() const
-{
-    const Enum<vector::components> axes(
-        {{vector::X, "x"}, {vector::Y, "y"}, {vector::Z, "z"}});
-    const wordList plane(
-        dict_.getOrDefault<wordList>("shearPlane", {"x", "y"}));
-    if (plane.size() != 2 || plane[0] == plane[1])
-    {
-        refuse(dict_, "shearPlane", valueOf(*dict_.findEntry("shearPlane")),
-               "two different ones of x y z");
-    }
-    FixedList<direction, 2> directions;
-    forAll(plane, k)
-    {
-        if (!axes.found(plane[k]))
-        {
-            refuse(dict_, "shearPlane", plane[k], "two of x y z");
-        }
-        directions[k] = axes[plane[k]];
-    }
-    return directions;
-}
 
 bool Foam::groupEntries::gravity() const
 {
@@ -41,8 +16,10 @@ bool Foam::groupEntries::gravity() const
     return on;
 }
 
-void Foam::groupEntries::addWeight(const bool on, const scalar excess) const
+void Foam::groupEntries::addWeight(const bool on,
+                                   const scalar densityRatio) const
 {
+    const scalar excess = densityRatio - scene_.densityAround;
     const bool acts = on && excess != 0;
     if (acts)
     {
@@ -51,7 +28,7 @@ void Foam::groupEntries::addWeight(const bool on, const scalar excess) const
     }
     scene_.effects.declare("gravity", acts,
                            acts ? "weight of " + group_
-                           : on ? "as heavy as the fluid"
+                           : on ? "as heavy as what is around them"
                                 : "none on the bodies");
 }
 

@@ -122,6 +122,8 @@ Foam::expectedError Foam::capsuleReport::cellError() const
         by += ", not measured inside a capsule";
     else if (radius < leastRadius * (1 - 1e-6))
         by += ", not measured below " + number(leastRadius);
+    else if (!group_.nearField_ && group_.viscosityRatio_ != 1)
+        by += ", not measured with a viscosityRatio";
     else
         known = true;
     if (group_.nearField_)

@@ -97,6 +97,7 @@ Foam::capsuleGroup::capsuleGroup(const word& name, const dictionary& dict,
     }
     const dictionary& shape =
         readDict(dict, "shape", "type sphere; radius 1e-6;");
+    requireEntry(shape, "type");
     const word form(shape.get<word>("type"));
     sphere_ = form == "sphere";
     round_ = sphere_ || form == "ellipsoid";
@@ -175,8 +176,8 @@ void Foam::capsuleGroup::readGravity(const dictionary& dict) const
                "off with coupling oneWay: a capsule that the fluid does not "
                "feel is carried, whatever its weight");
     }
-    entries.addWeight(
-        heavy, heavy ? readPositive(dict, "densityRatio", dimless) - 1 : 0);
+    entries.addWeight(heavy,
+                      heavy ? readPositive(dict, "densityRatio", dimless) : 1);
 }
 
 // The largest circumference in h, stretched by a quarter. With fewer than ten latitudes

@@ -84,14 +84,18 @@ void Foam::capsuleGroup::checkSize(const dictionary& dict) const
     const label n = markers_->size();
     vectorField X(n);
     markers_->values(initial_.data(), X.data());
-    const boundBox box(X, false);
     const vector h(scene_.grid.h()), L(scene_.grid.length());
     scalar toImage = GREAT;
-    for (direction d = 0; d < 3; ++d)
+    const label nTurned = start_.directions.empty() ? 1 : nBodies();
+    for (label body = 0; body < nTurned; ++body)
     {
-        if (scene_.grid.periodic(d))
+        const vector span(boundBox(turnOf(body) & X, false).span());
+        for (direction d = 0; d < 3; ++d)
         {
-            toImage = min(toImage, (L[d] - box.span()[d]) / h[d]);
+            if (scene_.grid.periodic(d))
+            {
+                toImage = min(toImage, (L[d] - span[d]) / h[d]);
+            }
         }
     }
     List<rangeCheck> ratios({

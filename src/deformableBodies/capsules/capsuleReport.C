@@ -7,7 +7,9 @@
 Foam::string Foam::capsuleReport::describe() const
 {
     const flowScales& flow = group_.scene_.flow;
-    const scalar Gs = group_.shell_->model().shearModulus();
+    const scalar Gs = group_.shell_->model().shearModulus(),
+                 Ks = group_.shell_->model().areaModulus();
+    const scalar Es = 4 * Gs * Ks / (Gs + Ks);
     OStringStream os;
     os.precision(4);
     os << group_.nBodies() << " of radius a " << group_.radius_ << ", a/h "
@@ -20,7 +22,8 @@ Foam::string Foam::capsuleReport::describe() const
         os << ", Re "
            << group_.scene_.rho * flow.rate * sqr(group_.radius_) /
                   group_.scene_.mu
-           << ", Ca " << group_.scene_.mu * flow.rate * group_.radius_ / Gs;
+           << ", Ca_G " << group_.scene_.mu * flow.rate * group_.radius_ / Gs
+           << ", Ca_E " << group_.scene_.mu * flow.rate * group_.radius_ / Es;
     }
     else if (flow.speed > 0)
     {

@@ -20,6 +20,7 @@ using namespace Foam;
 //- Entry file of a shape; FatalIOError if the file does not exist
 fileName fileOf(const dictionary& dict)
 {
+    requireEntry(dict, "file");
     const fileName given(dict.get<fileName>("file"));
     const fileName file(fileName(given).expand());
     if (!isFile(file))
@@ -53,7 +54,8 @@ word formatOf(const dictionary& dict)
         refuse(dict, "file", given,
                "surfaces in a file that ends in one of " +
                    oneOf(known.sortedToc()) +
-                   ", such as surfaceConvert and surfaceMeshConvert write");
+                   ", such as surfaceConvert and surfaceMeshConvert write; or "
+                   "the state of a run, with an entry group");
     }
     return given.ext() == "gz" ? word("gz") : format;
 }
@@ -219,6 +221,7 @@ pointOf sphere(const dictionary& dict)
 pointOf ellipsoid(const dictionary& dict)
 {
     checkEntries(dict, {"type", "semiAxes", "axis"});
+    requireEntry(dict, "semiAxes");
     const vector s(dict.get<vector>("semiAxes"));
     if (!(cmptMin(s) > 0))
     {
@@ -281,6 +284,11 @@ std::vector<double> Foam::initialShape(const dictionary& dict,
     }
     checkEntries(dict, {"type", "file", "scale", "axis", "group", "body"});
     if (dict.found("group")) return savedShape(dict, grid, turn);
+    if (dict.found("body"))
+    {
+        refuse(dict, "body", valueOf(*dict.findEntry("body")),
+               "shapes from the state of a run, with an entry group");
+    }
     const starSurface surface(dict);
     return expand([&](const vector& e) { return surface.pointAlong(e); }, grid,
                   turn);

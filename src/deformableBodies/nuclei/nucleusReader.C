@@ -93,7 +93,7 @@ Foam::scalar Foam::nucleusReader::toMembrane(const label body,
     return nearest;
 }
 
-Foam::dictionary Foam::nucleusReader::group() const
+Foam::dictionary Foam::nucleusReader::group()
 {
     // offset is along the axes of the box, where each capsule may be turned
     const vector offset(nucleus_.getOrDefault<vector>("offset", Zero));
@@ -105,6 +105,7 @@ Foam::dictionary Foam::nucleusReader::group() const
         if (body > 0 && host_.start().directions.empty()) continue;
 
         const scalar nearest = toMembrane(body, centre + offset);
+        gap_ = min(gap_, nearest - radius_);
         if (nearest > radius_) continue;
         refuse(nucleus_, "radiusRatio",
                Foam::name(radius_ / hostRadius_) + ", a radius of " +

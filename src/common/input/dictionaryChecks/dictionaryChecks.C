@@ -193,3 +193,24 @@ Foam::word Foam::readWord(const dictionary& dict, const word& name,
     if (!words.found(value)) refuse(dict, name, value, oneOf(words));
     return value;
 }
+
+Foam::FixedList<Foam::direction, 2>
+Foam::readPlane(const dictionary& dict, const word& name,
+                const FixedList<direction, 2>& otherwise)
+{
+    if (!dict.found(name)) return otherwise;
+    const wordList axes({"x", "y", "z"}), plane(dict.get<wordList>(name));
+    FixedList<direction, 2> directions(direction(0));
+    bool valid = plane.size() == 2 && plane[0] != plane[1];
+    for (label k = 0; valid && k < 2; ++k)
+    {
+        valid = axes.found(plane[k]);
+        directions[k] = axes.find(plane[k]);
+    }
+    if (!valid)
+    {
+        refuse(dict, name, valueOf(*dict.findEntry(name)),
+               "two different ones of x y z, such as (x y)");
+    }
+    return directions;
+}

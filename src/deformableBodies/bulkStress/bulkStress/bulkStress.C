@@ -59,7 +59,7 @@ Foam::bulkStress::New(const dictionary& dict, const bodySystem& system,
     if (wanted && given && !why.empty())
     {
         refuse(dict, "bulkStress", valueOf(*dict.findEntry("bulkStress")),
-               "off, as " + why);
+               "off, or none at all, as " + why);
     }
     const bool made = wanted && why.empty();
     system.effects.declare("bulkStress", made,

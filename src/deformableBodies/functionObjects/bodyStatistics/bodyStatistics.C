@@ -59,11 +59,15 @@ Foam::functionObjects::bodyStatistics::readSettings(
     const dictionary& dict) const
 {
     const uniformGrid& grid = uniformGrid::New(mesh_);
-    const scalar half = 0.5 * cmptMin(grid.length());
+    scalar most = GREAT;
+    for (direction d = 0; d < 3; ++d)
+    {
+        most = min(most, (grid.periodic(d) ? 0.5 : 1) * grid.length()[d]);
+    }
     groupStatistics::settings s{
         dict.getOrDefault<label>("bins", 40),
         dict.found("maxDistance") ? readPositive(dict, "maxDistance", dimLength)
-                                  : half,
+                                  : most,
         0,
         dict.getOrDefault<vector>("referenceVelocity", Zero),
         0,
@@ -76,23 +80,17 @@ Foam::functionObjects::bodyStatistics::readSettings(
     {
         refuse(dict, "bins", Foam::name(s.bins), "2 to 1000");
     }
-    if (max(s.maxDistance, s.concentrationRadius) > half * (1 + 1e-9))
+    if (max(s.maxDistance, s.concentrationRadius) > most * (1 + 1e-9))
     {
         refuse(dict,
-               s.maxDistance > half ? "maxDistance" : "concentrationRadius",
+               s.maxDistance > most ? "maxDistance" : "concentrationRadius",
                Foam::name(max(s.maxDistance, s.concentrationRadius)),
-               "up to " + Foam::name(half) + ", half of the shortest side");
+               "up to " + Foam::name(most) +
+                   ", half of each period, and the distance of other sides");
     }
-    const wordList axes({"x", "y", "z"});
-    const wordList plane(dict.getOrDefault<wordList>("plane", {"x", "y"}));
-    if (plane.size() != 2 || axes.find(plane[0]) < 0 ||
-        axes.find(plane[1]) < 0 || plane[0] == plane[1])
-    {
-        refuse(dict, "plane", valueOf(*dict.findEntry("plane")),
-               "two of x y z, such as (x y)");
-    }
-    s.f = axes.find(plane[0]);
-    s.g = axes.find(plane[1]);
+    const auto plane(readPlane(dict, "plane", bodies_.system().flow.plane));
+    s.f = plane[0];
+    s.g = plane[1];
     return s;
 }
 
@@ -120,6 +118,7 @@ Foam::string Foam::functionObjects::bodyStatistics::textOf(
     const groupStatistics::settings& s)
 {
     OStringStream os;
+    os.precision(12);
     os << s.bins << ' ' << s.maxDistance << ' ' << s.concentrationRadius << ' '
        << s.referenceVelocity << ' ' << label(s.f) << ' ' << label(s.g);
     return os.str();

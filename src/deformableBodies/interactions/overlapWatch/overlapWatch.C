@@ -6,6 +6,34 @@
 #include "ofAllRanks.H"
 #include <map>
 
+namespace
+{
+using namespace Foam;
+
+//- For each point that is held, the nearest point of each other body, among pairs to be
+//  looked at; first is the point
+template<class LookAt>
+std::map<labelPair, closePairs::pair> nearest(const closePairs& pairs,
+                                              LookAt lookAt)
+{
+    std::map<labelPair, closePairs::pair> all;
+    const auto include = [&](const closePairs::pair& p)
+    {
+        if (!lookAt(p)) return;
+        closePairs::pair& next =
+            all.insert({labelPair(p.first, pairs.body()[p.second]), p})
+                .first->second;
+        if (magSqr(p.r) < magSqr(next.r)) next = p;
+    };
+    for (const closePairs::pair& p : pairs.pairs())
+    {
+        include(p);
+        if (p.bothHeld) include({p.second, p.first, true, -p.r});
+    }
+    return all;
+}
+} // namespace
+
 void Foam::overlapWatch::overlaps::include(const scalar deep, const label first,
                                            const label second, const point& x)
 {
@@ -138,29 +166,32 @@ void Foam::overlapWatch::lookAtSurfaces(
     const closePairs& pairs, const UList<interactingPoint>& points,
     const vectorField& areas, const std::set<std::pair<label, label>>& touching)
 {
-    for (const closePairs::pair& p : pairs.pairs())
+    // Normals are those of the place up to the spacing of the points only
+    const auto lookAt = [&](const closePairs::pair& p)
     {
-        // Normals are those of the place up to the spacing of the points only
-        const scalar apart = max(mag(p.r), VSMALL);
-        if (apart > max(points[p.first].spacing, points[p.second].spacing))
-        {
-            continue;
-        }
-        const vector &n = areas[p.first], &m = areas[p.second];
-        if ((n & m) == 0) continue;
         const label first = bodyOf(pairs, p.first),
                     second = bodyOf(pairs, p.second);
-        if (!touching.count(std::minmax(first, second))) continue;
+        return mag(p.r) <=
+                   max(points[p.first].spacing, points[p.second].spacing) &&
+               (areas[p.first] & areas[p.second]) != 0 &&
+               hostOf_(second) != first &&
+               touching.count(std::minmax(first, second));
+    };
+    for (const auto& of : nearest(pairs, lookAt))
+    {
+        const closePairs::pair& p = of.second;
+        const vector &n = areas[p.first], &m = areas[p.second];
+        const scalar apart = max(mag(p.r), VSMALL);
         const scalar ofFirst = (n & p.r) / (mag(n) * apart),
                      ofSecond = (m & p.r) / (mag(m) * apart);
 
         // Either point lies behind the other's surface, or that of a nucleus outside its
         // host
         const bool alike = (n & m) > 0;
-        const bool crosses = hostOf_(first) == second ? alike && ofSecond > 0.5
-                             : hostOf_(second) == first
-                                 ? alike && ofFirst < -0.5
-                                 : !alike && ofSecond < -0.5 && ofFirst > 0.5;
+        const bool crosses =
+            hostOf_(bodyOf(pairs, p.first)) == bodyOf(pairs, p.second)
+                ? alike && ofSecond > 0.5
+                : !alike && ofSecond < -0.5 && ofFirst > 0.5;
         if (crosses) include(apart, pairs, p);
     }
 }
@@ -168,21 +199,15 @@ void Foam::overlapWatch::lookAtSurfaces(
 void Foam::overlapWatch::lookAtLines(const closePairs& pairs,
                                      const vectorField& areas)
 {
-    // For each held point of a line, the nearest point of each surface; first is that of
-    // the line
     const labelList& body = pairs.body();
-    std::map<std::pair<label, label>, closePairs::pair> nearest;
-    for (closePairs::pair p : pairs.pairs())
-    {
-        if (body[p.first] < 0 && p.bothHeld)
-            p = {p.second, p.first, true, -p.r};
-        if (body[p.first] < 0 || body[p.second] >= 0) continue;
-        if (magSqr(areas[p.second]) == 0) continue;
-        closePairs::pair& next =
-            nearest.insert({{p.first, body[p.second]}, p}).first->second;
-        if (magSqr(p.r) < magSqr(next.r)) next = p;
-    }
-    if (returnReduce(nearest.empty(), andOp<bool>())) return;
+    const auto ofLines = nearest(pairs,
+                                 [&](const closePairs::pair& p)
+                                 {
+                                     return body[p.first] >= 0 &&
+                                            body[p.second] < 0 &&
+                                            magSqr(areas[p.second]) > 0;
+                                 });
+    if (returnReduce(ofLines.empty(), andOp<bool>())) return;
     const auto cosine = [&](const closePairs::pair& p)
     {
         const vector& n = areas[p.second];
@@ -192,7 +217,7 @@ void Foam::overlapWatch::lookAtLines(const closePairs& pairs,
     // Points of a line may be held by several ranks: number of the line, of the surface,
     // and the side
     labelList mine;
-    for (const auto& of : nearest)
+    for (const auto& of : ofLines)
     {
         const closePairs::pair& p = of.second;
         if (mag(cosine(p)) < 0.5) continue;
@@ -207,7 +232,7 @@ void Foam::overlapWatch::lookAtLines(const closePairs& pairs,
             sides[of[k + 2]].insert({of[k], of[k + 1]});
         }
     }
-    for (const auto& of : nearest)
+    for (const auto& of : ofLines)
     {
         const closePairs::pair& p = of.second;
         const std::pair<label, label> both(body[p.first], body[p.second]);

@@ -18,6 +18,7 @@ Foam::membraneModels::Hooke::Hooke(const dictionary& dict)
       ratio_(0)
 {
     checkEntries(dict, {"law", "Gs", "nu"});
+    requireEntry(dict, "nu");
     const scalar nu = dict.get<scalar>("nu");
     if (!(nu > -1 && nu < 1))
     {

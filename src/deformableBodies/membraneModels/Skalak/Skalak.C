@@ -15,8 +15,10 @@ addToRunTimeSelectionTable(membraneModel, Skalak, dictionary);
 
 Foam::membraneModels::Skalak::Skalak(const dictionary& dict)
     : Gs_(readPositive(dict, "Gs", dimForce / dimLength)),
-      C_(dict.get<scalar>("C"))
+      C_(0)
 {
+    requireEntry(dict, "C");
+    C_ = dict.get<scalar>("C");
     checkEntries(dict, {"law", "Gs", "C"});
     if (!(C_ >= 0 && C_ <= 1e6))
     {

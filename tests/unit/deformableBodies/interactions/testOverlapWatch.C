@@ -161,6 +161,28 @@ TEST(OverlapWatch, nuclei)
     }
 }
 
+// Of a capsule that is bent around its nucleus the nearest point tells the side
+TEST(OverlapWatch, nucleiInBentCapsules)
+{
+    if (Pstream::parRun()) return;
+    const scalar h = cmptMin(grid().h());
+    for (const scalar below : {0.3 * h, 0.1 * h})
+    {
+        row r(scalarField(scalarList({0, 0.15 * h, -below})), h);
+        const labelList body({0, 1, 1});
+        r.pairs.search(r.X, body);
+        const List<interactingPoint> points(3, interactingPoint{sqr(h), 0, h});
+        overlapWatch watch(
+            test::mesh().time(), nameOf,
+            [](const label number) { return number == 0 ? 1 : -1; }, true);
+        watch.begin();
+        watch.look(r.pairs, points);
+        watch.lookBehind(r.pairs, points, vectorField(3, vector(0, 0, sqr(h))));
+        watch.settle();
+        EXPECT_EQ(watch.nOverlaps(), label(below < 0.15 * h));
+    }
+}
+
 // A fibre crosses a surface if points of it lie before and behind that
 TEST(OverlapWatch, fibresThroughSurfaces)
 {
