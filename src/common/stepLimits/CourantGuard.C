@@ -93,14 +93,20 @@ void Foam::CourantGuard::warn(const scalar Co, const scalar rate)
     if (Co <= 1.05 * stable_ || !warning_.due(stepIndex(time))) return;
     warning_.warned(stepIndex(time));
     if (!Pstream::master()) return;
+    const string now(stepEntry(time) + " from " + Foam::name(Co / rate) +
+                     " to less than " + Foam::name(stable_ / rate));
+    const string adjusted("adjustTimeStep yes; maxCo " +
+                          Foam::name(0.5 * stable_) +
+                          "; in system/controlDict");
+    const bool isAdjusted =
+        time.controlDict().getOrDefault<bool>("adjustTimeStep", false);
     WarningInFunction << "Courant number " << Foam::name(Co) << " at time "
                       << time.timeName() << " is above " << Foam::name(stable_)
-                      << ", the largest for " << who_.c_str() << nl
-                      << "    Reduce " << stepEntry(time) << " from "
-                      << Foam::name(Co / rate) << " to less than "
-                      << Foam::name(stable_ / rate)
-                      << ", or write adjustTimeStep yes; maxCo "
-                      << Foam::name(0.5 * stable_) << "; in system/controlDict"
+                      << ", the largest for " << who_.c_str() << nl << "    "
+                      << (isAdjusted
+                              ? "Write " + adjusted
+                              : "Reduce " + now + ", or write " + adjusted)
+                             .c_str()
                       << (remedy_.empty() ? "" : ", or ") << remedy_.c_str()
                       << endl;
 }

@@ -16,10 +16,8 @@ bool Foam::groupEntries::gravity() const
     return on;
 }
 
-void Foam::groupEntries::addWeight(const bool on,
-                                   const scalar densityRatio) const
+void Foam::groupEntries::addWeight(const bool on, const scalar excess) const
 {
-    const scalar excess = densityRatio - scene_.densityAround;
     const bool acts = on && excess != 0;
     if (acts)
     {

@@ -176,8 +176,10 @@ void Foam::capsuleGroup::readGravity(const dictionary& dict) const
                "off with coupling oneWay: a capsule that the fluid does not "
                "feel is carried, whatever its weight");
     }
-    entries.addWeight(heavy,
-                      heavy ? readPositive(dict, "densityRatio", dimless) : 1);
+    entries.addWeight(heavy, heavy
+                                 ? readPositive(dict, "densityRatio", dimless) -
+                                       scene_.densityAround
+                                 : 0);
 }
 
 // The largest circumference in h, stretched by a quarter. With fewer than ten latitudes

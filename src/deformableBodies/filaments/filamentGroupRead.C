@@ -136,7 +136,7 @@ void Foam::filamentGroup::readMass(const dictionary& dict)
     properties_.mass =
         (ratio - (twoWay() ? 1 : 0)) * crossSection_ * scene_.rho;
     isPendulum_ = withoutFluid() && entries.gravity();
-    entries.addWeight(entries.gravity(), ratio);
+    entries.addWeight(entries.gravity(), ratio - (withoutFluid() ? 0 : 1));
     properties_.scheme =
         readEnum(schemeNames, dict, "scheme", filament::IMPLICIT);
     if (!withoutFluid() && properties_.scheme != filament::IMPLICIT)

@@ -236,8 +236,9 @@ Foam::string Foam::rigidGroup::move(const vector* U, const scalar* lineDensity,
                 s.dt * (mag(x.velocity) +
                         mag(x.angularVelocity) * cmptMax(shape_.semiAxes())),
                 s.dt * mag(x.velocity + before),
-                sameStep ? s.dt * mag(x.velocity - before) : 0, shape_.radius(),
-                x.nUnsteady));
+                sameStep && !velocity_.valid() ? s.dt * mag(x.velocity - before)
+                                               : 0,
+                shape_.radius(), x.nUnsteady));
             if (s.unsteady->empty()) *s.unsteady = sentence;
         }
 

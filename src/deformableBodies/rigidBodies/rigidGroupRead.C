@@ -83,7 +83,7 @@ Foam::rigidGroup::rigidGroup(const word& name, const dictionary& dict,
     {
         refuse(dict, "gravity", "on", "off, or a densityRatio with it");
     }
-    entries.addWeight(heavy_, densityRatio_);
+    entries.addWeight(heavy_, densityRatio_ - scene_.densityAround);
     readMotion(dict);
 
     const scalar spacing = entries.byAccuracy<scalar>(

@@ -14,12 +14,13 @@ Foam::string Foam::rigidReport::describe() const
        << ", density ratio " << group_.densityRatio_ << ", volume fraction "
        << group_.nBodies() * group_.shape_.volume() /
               cmptProduct(group_.scene_.grid.length());
-    const scalar g = mag(group_.scene_.g);
-    if (group_.heavy_ && group_.densityRatio_ != 1)
+    const scalar g = mag(group_.scene_.g),
+                 excess = group_.densityRatio_ - group_.scene_.densityAround;
+    if (group_.heavy_ && excess != 0)
     {
         os << ", Galileo number "
-           << std::sqrt(mag(group_.densityRatio_ - 1) * g * pow3(2 * a)) *
-                  group_.scene_.rho / group_.scene_.mu;
+           << std::sqrt(mag(excess) * g * pow3(2 * a)) * group_.scene_.rho /
+                  group_.scene_.mu;
     }
     if (flow.rate > 0)
     {

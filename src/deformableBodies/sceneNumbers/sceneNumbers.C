@@ -153,11 +153,11 @@ Foam::flowScales Foam::scalesAtStart(const fvMesh& mesh)
              " against each other";
     reduce(s.speed, maxOp<scalar>());
     if (s.rate <= SMALL * s.speed / cmptMin(grid.h())) s.rate = 0;
-    if (s.rate > 0)
+    if (s.rate > 0 && sides.steady)
     {
         s.plane = FixedList<direction, 2>({sides.flow, sides.gradient});
-        return s;
     }
+    if (s.rate > 0) return s;
 
     const scalar width = gapOfSides(grid);
     if (s.speed > 0)

@@ -19,20 +19,28 @@ namespace
 {
 using namespace Foam;
 
-//- Modes with 0 < |m| <= radius, one of each pair m, -m
-std::vector<fv::lowModeForcing::mode> modesWithin(const scalar radius)
+//- Modes with 1 <= |k| <= radius, k = m/L of a box of sides L, the shortest of which is 1;
+//  one of each pair m, -m
+std::vector<fv::lowModeForcing::mode> modesWithin(const scalar radius,
+                                                  const vector& L)
 {
-    const label M = label(radius);
-    std::vector<fv::lowModeForcing::mode> modes;
-    for (label x = 0; x <= M; ++x)
+    labelVector most;
+    for (direction d = 0; d < 3; ++d)
     {
-        for (label y = -M; y <= M; ++y)
+        most[d] = label(radius * L[d] * (1 + 1e-12));
+    }
+    std::vector<fv::lowModeForcing::mode> modes;
+    for (label x = 0; x <= most.x(); ++x)
+    {
+        for (label y = -most.y(); y <= most.y(); ++y)
         {
-            for (label z = -M; z <= M; ++z)
+            for (label z = -most.z(); z <= most.z(); ++z)
             {
                 const bool first = x > 0 || y > 0 || (y == 0 && z > 0);
-                if (first && !(x == 0 && y < 0) &&
-                    x * x + y * y + z * z <= sqr(radius) * (1 + 1e-12))
+                const scalar k2 =
+                    sqr(x / L.x()) + sqr(y / L.y()) + sqr(z / L.z());
+                if (first && !(x == 0 && y < 0) && k2 >= 1 - 1e-12 &&
+                    k2 <= sqr(radius) * (1 + 1e-12))
                 {
                     modes.push_back({labelVector(x, y, z), {0, 0, 0}});
                 }
@@ -59,8 +67,18 @@ Foam::fv::EswaranPopeForcing::EswaranPopeForcing(const word& name,
     {
         refuse(coeffs_, "maxWaveNumber", Foam::name(radius), "1 and greater");
     }
+    const vector L(grid_.length() / cmptMin(grid_.length()));
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar cells = grid_.n()[d] / L[d];
+        if (2 * radius < cells) continue;
+        refuse(coeffs_, "maxWaveNumber", Foam::name(radius),
+               "less than half the number of cells, which is " +
+                   Foam::name(cells) + " of direction " +
+                   vector::componentNames[d] + " in the shortest side");
+    }
 
-    const std::vector<mode> modes(modesWithin(radius));
+    const std::vector<mode> modes(modesWithin(radius, L));
     setModes(modes, "maxWaveNumber");
 
     // Two of three components survive the projection: mean |f|^2 is twice

@@ -36,7 +36,6 @@ Foam::interactionScene::of(const fvMesh& mesh, const PtrList<bodyGroup>& groups,
         all.add(groups[g].points(-1));
         if (all.loads.last().isSurface && groups[g].host() < 0)
         {
-            all.nOutside += groups[g].nBodies();
             all.share += groups[g].nBodies() * 4 *
                          constant::mathematical::pi / 3 *
                          pow3(all.loads.last().radius) / scene.grid.volume();

@@ -76,27 +76,22 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
         return all;
     };
 
-    // Membranes that inertia presses together cross at 1 h (a Reynolds number of the body
-    // is three times the Stokes number), at 0.6 h some of a fifth of the volume; nuclei sink
-    // into soft ones, of Ca_G = force/(6 pi Gs a) above 1
-    bool close = scene.nearField && scene.share < 0.05;
+    // At 0.6 h some membranes of a fifth of the volume cross in viscous flow. With inertia (a
+    // Reynolds number of the body is three times the Stokes number) none does. Nuclei sink into
+    // soft ones, of Ca_G = force/(6 pi Gs a) above 1
+    bool close = scene.share < 0.05, light = true, fast = false;
     for (const contactLoad& load : scene.loads)
     {
+        fast = fast || load.stokesNumber() > 10;
         if (!load.isSurface) continue;
+        close = close || (load.softness < GREAT && load.stokesNumber() > 0.5);
         const scalar soft = 6 * pi * load.softness * sqr(load.radius);
-        close = close && load.own == 0 && load.force < soft;
+        light = light && load.own == 0 && load.force < soft;
     }
-    close = close || scene.films;
-    scalar cells = close ? 0.6 : scene.nearField ? 1 : 1.5;
-    for (const contactLoad& load : scene.loads)
-    {
-        if (load.softness < GREAT && load.stokesNumber() > 0.5 &&
-            scene.nOutside > 1)
-        {
-            cells = 1.5;
-        }
-        if (scene.films && load.stokesNumber() > 10) cells = 1;
-    }
+    const scalar cells = scene.films        ? (fast ? 1 : 0.6)
+                         : !scene.nearField ? 1.5
+                         : close && light   ? 0.6
+                                            : 1;
     return contactLaw(dict, scene.grid, cells * cmptMax(scene.grid.h()),
                       strength, dimPressure, scene.adjusted ? 0 : scene.deltaT,
                       0.25 * scene.mu / scene.deltaT);

@@ -3,6 +3,7 @@
 #include "energySpectrum.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryChecks.H"
+#include "functionTimes.H"
 #include "fvOptions.H"
 #include "lastStep.H"
 #include "lowModeForcing.H"
@@ -73,6 +74,7 @@ bool Foam::functionObjects::energySpectrum::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
     writeFile::read(dict);
+    checkFunctionEntries(dict, {"phi", "nu"});
 
     grid_.requirePeriodic(dict, typeName);
     phiName_ = dict.getOrDefault<word>("phi", "phi");
