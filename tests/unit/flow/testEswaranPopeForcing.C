@@ -61,6 +61,27 @@ TEST(EswaranPopeForcing, stochasticForceIsSteadyAndSolenoidal)
     time.setDeltaT(1, false);
 }
 
+// Modes of a shell: in boxes that are no cubes each component has its third of the force
+TEST(EswaranPopeForcing, isotropicInAnyBox)
+{
+    for (const label longer : {1, 2, 4})
+    {
+        test::box b(labelVector(10 * longer, 10, 10), vector(longer, 1, 1),
+                    FixedList<bool, 3>(false), 1);
+        auto o = make(b, stirring);
+        const auto& forcing = refCast<fv::lowModeForcing>(*o);
+        vector share(Zero);
+        for (const auto& m : forcing.modes())
+        {
+            const vector k(forcing.waveVector(m.m));
+            share += vector::one - cmptMultiply(k, k) / magSqr(k);
+        }
+        test::expectBelow("share of a component, times three, less one",
+                          3 * cmptMax(share) / (2 * forcing.modes().size()) - 1,
+                          0.03);
+    }
+}
+
 TEST(EswaranPopeForcing, repeatsBySeed)
 {
     test::box b(labelVector(8, 8, 8), vector(1, 1, 1),

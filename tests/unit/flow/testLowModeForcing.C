@@ -8,7 +8,7 @@ using namespace test;
 TEST(LowModeForcing, evaluatedAtTheStaggeredPoints)
 {
     // Partial sums equal the series at every point
-    test::box b(labelVector(8, 6, 10), vector(1, 2, 3),
+    test::box b(labelVector(8, 10, 14), vector(1, 2, 3),
                 FixedList<bool, 3>(false), 1);
     auto o = make(b, stirring);
     const auto& forcing = refCast<fv::lowModeForcing>(*o);
