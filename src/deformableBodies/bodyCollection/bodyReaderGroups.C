@@ -97,7 +97,9 @@ void Foam::bodyReader::addNuclei(const dictionary& bodies, const word& name,
     within.coupling = bodyCoupling::twoWay; // capsules with nuclei have it, too
     within.viscosityAround = system_.groups[host].inside()->viscosityRatio();
     within.mu *= within.viscosityAround;
-    within.densityAround = group.getOrDefault<scalar>("densityRatio", 1);
+    within.densityAround = group.found("densityRatio")
+                               ? readPositive(group, "densityRatio", dimless)
+                               : 1;
     system_.groups.append(bodyGroup::New(inside, nuclei, within).ptr());
     system_.groups.last().setHost(host, system_.groups[host]);
     if (!system_.groups[host].nearSources() ||

@@ -99,7 +99,8 @@ Foam::bodyState::statesOf(const bodyGroup& group, const dictionary& saved) const
         const scalar now = fact.second();
         const scalar then = facts.getOrDefault<scalar>(fact.first(), now);
         // Areas by another quadrature differ by 4e-5
-        if (mag(then - now) > 1e-4 * mag(now))
+        const scalar same = fact.first() == "area" ? 1e-4 : 1e-6;
+        if (mag(then - now) > same * mag(now))
         {
             const bool isEntry =
                 fact.first() == "harmonics" || fact.first() == "segments";

@@ -74,12 +74,27 @@ Foam::fv::EswaranPopeForcing::EswaranPopeForcing(const word& name,
         if (2 * radius < cells) continue;
         refuse(coeffs_, "maxWaveNumber", Foam::name(radius),
                "less than half the number of cells, which is " +
-                   Foam::name(cells) + " of direction " +
-                   vector::componentNames[d] + " in the shortest side");
+                   Foam::name(cells) + " along " + vector::componentNames[d] +
+                   " in a length of the shortest side");
     }
 
     const std::vector<mode> modes(modesWithin(radius, L));
     setModes(modes, "maxWaveNumber");
+
+    vector share(Zero);
+    for (const mode& m : modes)
+    {
+        const vector k(waveVector(m.m));
+        share += (vector::one - cmptMultiply(k, k) / magSqr(k)) /
+                 (2 * scalar(modes.size()));
+    }
+    if (cmptMax(cmptMag(3 * share - vector::one)) > 0.05)
+    {
+        IOWarningInFunction(coeffs_)
+            << "of the force in this box x, y and z have shares of " << share
+            << nl << "    Take a maxWaveNumber of 2 and more, or a cube"
+            << endl;
+    }
 
     // Two of three components survive the projection: mean |f|^2 is twice
     // deviation^2 per mode

@@ -118,7 +118,7 @@ Foam::string Foam::functionObjects::bodyStatistics::textOf(
     const groupStatistics::settings& s)
 {
     OStringStream os;
-    os.precision(12);
+    os.precision(6);
     os << s.bins << ' ' << s.maxDistance << ' ' << s.concentrationRadius << ' '
        << s.referenceVelocity << ' ' << label(s.f) << ' ' << label(s.g);
     return os.str();

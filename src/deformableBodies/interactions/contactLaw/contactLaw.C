@@ -15,7 +15,8 @@ Foam::contactLaw::contactLaw(
       range_(dict.found("range") ? readPositive(dict, "range", dimLength)
                                  : range),
       strength_(0),
-      given_(dict.found("strength"))
+      given_(dict.found("strength")),
+      rangeGiven_(dict.found("range"))
 {
     checkEntries(dict, {"law", "range", "strength"});
     const scalar h = cmptMax(grid.h()), most = 0.5 * cmptMin(grid.length());
@@ -87,9 +88,17 @@ void Foam::contactLaw::setClosest()
 
 bool Foam::contactLaw::raiseDefaults(const scalarList& defaults)
 {
-    if (given_ || defaults.size() != 3 ||
-        mag(defaults[2] - range_) > 1e-9 * range_)
+    if (given_ || defaults.size() != 3) return false;
+    if (mag(defaults[2] - range_) > 1e-9 * range_)
     {
+        if (!rangeGiven_ && Pstream::master())
+        {
+            WarningInFunction
+                << "the range of contacts by default is " << range_
+                << ", and was " << defaults[2] << " at the start of the run"
+                << nl << "    Write range " << defaults[2]
+                << "; in the model of interactions to go on with that" << endl;
+        }
         return false;
     }
     const bool differ = defaults[0] > strength_ * (1 + 1e-9);

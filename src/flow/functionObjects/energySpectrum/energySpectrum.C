@@ -75,14 +75,12 @@ bool Foam::functionObjects::energySpectrum::read(const dictionary& dict)
     fvMeshFunctionObject::read(dict);
     writeFile::read(dict);
     checkFunctionEntries(dict, {"phi", "nu"});
-
     grid_.requirePeriodic(dict, typeName);
     phiName_ = dict.getOrDefault<word>("phi", "phi");
     const IOdictionary transport(
         IOobject("transportProperties", mesh_.time().constant(), mesh_,
                  IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false));
     nu_ = readPositive(dict.found("nu") ? dict : transport, "nu", dimViscosity);
-
     transform_.reset(new planeTransform(grid_, sidesOf(grid_), grid_.index()));
     dk_ = constant::mathematical::twoPi / cmptMax(grid_.length());
     return true;

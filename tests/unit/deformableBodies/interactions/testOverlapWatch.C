@@ -161,7 +161,7 @@ TEST(OverlapWatch, nuclei)
     }
 }
 
-// Of a capsule that is bent around its nucleus the nearest point tells the side
+// The nearest point of a capsule that is bent around its nucleus tells the side
 TEST(OverlapWatch, nucleiInBentCapsules)
 {
     if (Pstream::parRun()) return;
