@@ -218,12 +218,11 @@ void Foam::bodyCollection::stop()
     string remedy("an earlier time with a smaller " + stepEntry(time));
     if (left) remedy = "\"outside remove;\" in its group";
     if (pressed)
-        remedy += string(system_.interactions
-                             ? " and a larger strength of repulsion (of "
-                               "fibres: collision)"
-                             : " and interactions { repulsion { } } (of "
-                               "fibres: collision)") +
-                  ", or \"outside remove;\" in its group";
+        remedy +=
+            string(system_.interactions
+                       ? " and a larger strength of repulsion"
+                       : " and interactions { repulsion { } }") +
+            " (of fibres: collision), or \"outside remove;\" in its group";
     lastStep::writeBeforeStop(time, trouble_.outside() ? string() : sentence);
     waitForMaster();
     FatalErrorInFunction << "a body " << what << " at time " << time.timeName()
