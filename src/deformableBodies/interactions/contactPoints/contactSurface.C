@@ -97,7 +97,7 @@ Foam::contactSurface::contactSurface(const vectorField& X,
     {
         const label i = pair.first, j = pair.second;
         const scalar apart = mag(X[j] - X[i]) / (1 << atRest_);
-        all.append(connection{i, j, max(0.5 * range, 1.6 * apart), 0});
+        all.append(connection{i, j, max(0.5 * range, 1.6 * apart), 0, 0});
         middles.append(X[i] + X[j]);
         ++shares_[i];
         ++shares_[j];
@@ -134,11 +134,12 @@ void Foam::contactSurface::setHeight(const vectorField& X, connection& on,
         e.append(X[k] / mag(X[k]));
     }
     const Eigen::VectorXd weights(heightWeights(e));
-    on.nHeights = weights.size();
-    for (label k = 0; k < on.nHeights; ++k)
+    on.firstHeight = heights_.size();
+    for (label k = 0; k < weights.size(); ++k)
     {
         heights_.append({markers[k], weights[k]});
     }
+    on.endHeight = heights_.size();
 }
 
 Foam::scalarField Foam::contactSurface::stretches(const vector* X) const
@@ -205,17 +206,16 @@ void Foam::contactSurface::addPoints(
 void Foam::contactSurface::setBetween(const label* halved, vector* values) const
 {
     vector* between = values + nMarkers_;
-    const weight* heights = heights_.cdata();
     forAll(connections_, k)
     {
         const connection& on = connections_[k];
         const vector &x = values[on.first], &y = values[on.second];
+        if (halved[k] == 0) continue;
         const scalar n = 1 << halved[k];
         vector height(Zero);
-        for (const weight* end = heights + on.nHeights; heights < end;)
+        for (label w = on.firstHeight; w < on.endHeight; ++w)
         {
-            height += heights->value * values[heights->marker];
-            ++heights;
+            height += heights_[w].value * values[heights_[w].marker];
         }
         for (label m = 1; m < n; ++m)
         {
@@ -233,10 +233,10 @@ void Foam::contactSurface::addTo(const label* halved, const vector* forces,
         F[i] += forces[i];
     }
     const vector* between = forces + nMarkers_;
-    const weight* heights = heights_.cdata();
     forAll(connections_, k)
     {
         const connection& on = connections_[k];
+        if (halved[k] == 0) continue;
         const scalar n = 1 << halved[k];
         vector onHeight(Zero);
         for (label m = 1; m < n; ++m)
@@ -247,10 +247,9 @@ void Foam::contactSurface::addTo(const label* halved, const vector* forces,
             F[on.second] += s * force;
             onHeight += 4 * s * (1 - s) * force;
         }
-        for (const weight* end = heights + on.nHeights; heights < end;)
+        for (label w = on.firstHeight; w < on.endHeight; ++w)
         {
-            F[heights->marker] += heights->value * onHeight;
-            ++heights;
+            F[heights_[w].marker] += heights_[w].value * onHeight;
         }
     }
 }
