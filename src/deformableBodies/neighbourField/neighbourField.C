@@ -9,9 +9,6 @@ namespace
 {
 using namespace Foam;
 
-//- Gaps from and to which close points fade into far ones [cells]
-const scalar closeGap = 0.5, apartGap = 1.5;
-
 //- Spacing of the points of each level [cells]
 const scalar levelSpacing[] = {1.1, 2};
 
@@ -32,6 +29,17 @@ void addTo(std::vector<vector>& u, const std::vector<vector>& v,
     for (size_t k = 0; k < v.size(); ++k)
     {
         u[k] += weight * v[k];
+    }
+}
+
+//- Add to some of n values
+void addTo(std::vector<vector>& u, const std::vector<vector>& v,
+           const scalar weight, const std::vector<label>& which, const label n)
+{
+    u.resize(n, vector(Zero));
+    for (size_t k = 0; k < v.size(); ++k)
+    {
+        u[which[k]] += weight * v[k];
     }
 }
 } // namespace
@@ -63,15 +71,6 @@ Foam::neighbourField::neighbourField(PtrList<bodyGroup>& groups,
     }
 }
 
-const Foam::nearField& Foam::neighbourField::sumFor(const scalar spacing,
-                                                    const scalar mu)
-{
-    const scalar h = grid_.h().x(), d = max(0.5 * h, 0.48 * spacing);
-    std::unique_ptr<const nearField>& sum = sums_[{d, mu}];
-    if (!sum) sum.reset(new nearField(kernel_, h, mu, d, nearField::OTHER));
-    return *sum;
-}
-
 const Foam::coarsePoints*
 Foam::neighbourField::coarseOf(const bodyCopies::body& body, const level l)
 {
@@ -86,7 +85,7 @@ Foam::neighbourField::coarseOf(const bodyCopies::body& body, const level l)
     // With a margin, as radii are often whole numbers of cells
     const label byCells = std::ceil(1.25 * cells * (1 - 1e-6));
     const label degree =
-        l == CLOSE ? largestDegree : min(largestDegree, byCells);
+        l == FINE ? largestDegree : min(largestDegree, byCells);
     const label some = max(1.6 * sqr(scalar(degree + 1)),
                            4 * pi * sqr(cells / levelSpacing[l]));
     std::unique_ptr<const coarsePoints>& points = coarse_[key];
@@ -99,65 +98,115 @@ Foam::neighbourField::coarseOf(const bodyCopies::body& body, const level l)
     return points.get();
 }
 
-void Foam::neighbourField::add(const pair& p, const level l,
-                               const scalar weight)
+const Foam::nearField::pointSet& Foam::neighbourField::pointsOf(const label k,
+                                                                const level l)
 {
-    scalar spacing = levelSpacing[l] * grid_.h().x(), mu = mu_;
+    nearField::pointSet& points = levels_[k].points[l];
+    if (points.n) return points;
+    const bodyCopies::body& body = copies_.bodies()[k];
+    const coarsePoints* coarse = coarseOf(body, l);
+    points = coarse ? nearField::pointSet(coarse->positions(body.X),
+                                          coarse->forces(body.F.data()))
+                    : nearField::pointSet(body.X, body.F);
+    return points;
+}
+
+Foam::scalar Foam::neighbourField::spacingOf(const pair& p, const level l)
+{
+    scalar spacing = levelSpacing[l] * grid_.h().x();
     for (const label k : {p.a, p.b})
     {
-        const bodyCopies::body& x = copies_.bodies()[k];
-        const coarsePoints* coarse = coarseOf(x, l);
-        if (!coarse) spacing = max(spacing, spacing_[x.group]);
-        nearField::pointSet& points = levels_[k].points[l];
-        if (points.n) continue;
-        points = coarse ? nearField::pointSet(coarse->positions(x.X),
-                                              coarse->forces(x.F.data()))
-                        : nearField::pointSet(x.X, x.F);
+        const bodyCopies::body& body = copies_.bodies()[k];
+        if (!coarseOf(body, l)) spacing = max(spacing, spacing_[body.group]);
     }
-    const bodyCopies::body &a = copies_.bodies()[p.a],
-                           &b = copies_.bodies()[p.b];
-    const nearField::pointSet &ofA = levels_[p.a].points[l],
-                              &ofB = levels_[p.b].points[l];
-    std::vector<vector> u, v;
-    const vector apart(ofB.origin + p.shift - ofA.origin);
-    if (b.wall >= 0)
-    {
-        if (!image_)
-        {
-            image_.reset(new wallImage(kernel_, grid_.h().x(), mu_));
-        }
-        const direction d = b.wall;
-        const bool above =
-            b.wallAt > grid_.origin()[d] + 0.5 * grid_.length()[d];
-        image_->velocity(ofA, ofB, apart, d, ofA.origin[d] - b.wallAt, above,
-                         u);
-        addTo(levels_[p.a].u[l], u, weight);
-        return;
-    }
+    return spacing;
+}
+
+const Foam::nearField& Foam::neighbourField::sumOf(const pair& p, const level l)
+{
+    const scalar h = grid_.h().x(), smooth = 0.68 * spacingOf(p, COARSE);
+    const scalar d =
+        l == COARSE ? smooth : max(0.5 * h, 0.48 * spacingOf(p, FINE));
+    scalar mu = mu_;
     if (p.inside)
     {
-        const label host =
-            groups_[a.group].host() == b.group ? b.group : a.group;
+        const label a = copies_.bodies()[p.a].group,
+                    b = copies_.bodies()[p.b].group;
+        const label host = groups_[a].host() == b ? b : a;
         mu *= groups_[host].inside()->viscosityRatio();
     }
-    sumFor(spacing, mu).exchange(ofA, ofB, apart, u, v);
-    addTo(levels_[p.a].u[l], u, weight);
-    addTo(levels_[p.b].u[l], v, weight);
+    std::unique_ptr<const nearField>& sum = sums_[{scalar(l), d, mu}];
+    if (!sum)
+    {
+        sum.reset(l == COARSE
+                      ? new nearField(kernel_, h, mu, d, nearField::OTHER)
+                      : new nearField(h, mu, d, smooth));
+    }
+    return *sum;
+}
+
+void Foam::neighbourField::addCoarse(const pair& p, const scalar weight)
+{
+    const nearField::pointSet &a = pointsOf(p.a, COARSE),
+                              &b = pointsOf(p.b, COARSE);
+    std::vector<vector> u, v;
+    sumOf(p, COARSE).exchange(a, b, b.origin + p.shift - a.origin, u, v);
+    addTo(levels_[p.a].u[COARSE], u, weight);
+    addTo(levels_[p.b].u[COARSE], v, weight);
+}
+
+void Foam::neighbourField::addFine(const pair& p, const scalar range,
+                                   const scalar weight)
+{
+    const scalar depth = range - p.gap * grid_.h().x();
+    if (depth < 0) return;
+    const nearField::pointSet &a = pointsOf(p.a, FINE),
+                              &b = pointsOf(p.b, FINE);
+    const std::vector<label> ofA(a.foremost(p.e, depth)),
+        ofB(b.foremost(-p.e, depth));
+    std::vector<vector> u, v;
+    sumOf(p, FINE).exchange(nearField::pointSet(a, ofA),
+                            nearField::pointSet(b, ofB),
+                            b.origin + p.shift - a.origin, u, v);
+    addTo(levels_[p.a].u[FINE], u, weight, ofA, a.n);
+    addTo(levels_[p.b].u[FINE], v, weight, ofB, b.n);
+}
+
+void Foam::neighbourField::addAtWall(const pair& p, const scalar weight)
+{
+    if (!image_)
+    {
+        image_.reset(new wallImage(kernel_, grid_.h().x(), mu_));
+    }
+    const bodyCopies::body& mirrored = copies_.bodies()[p.b];
+    const nearField::pointSet &a = pointsOf(p.a, COARSE),
+                              &b = pointsOf(p.b, COARSE);
+    const direction d = mirrored.wall;
+    const bool above =
+        mirrored.wallAt > grid_.origin()[d] + 0.5 * grid_.length()[d];
+    std::vector<vector> u;
+    image_->velocity(a, b, b.origin + p.shift - a.origin, d,
+                     a.origin[d] - mirrored.wallAt, above, u);
+    addTo(levels_[p.a].u[COARSE], u, weight);
 }
 
 void Foam::neighbourField::add(const pair& p)
 {
     const scalar weight = p.inside ? 1 : fade(p.gap, nearGap, farGap);
-    const scalar close = p.inside ? 1 : fade(p.gap, closeGap, apartGap);
-    if (close > 0) add(p, CLOSE, weight * close);
-    if (close < 1) add(p, FAR, weight * (1 - close));
+    if (copies_.bodies()[p.b].wall >= 0)
+    {
+        addAtWall(p, weight);
+        return;
+    }
+    addCoarse(p, weight);
+    addFine(p, 3 * sumOf(p, COARSE).d(), weight);
 }
 
 std::vector<Foam::vector> Foam::neighbourField::velocities(const label k)
 {
     const bodyCopies::body& body = copies_.bodies()[k];
     std::vector<vector> u(body.X.size(), vector(Zero));
-    for (const level l : {CLOSE, FAR})
+    for (const level l : {FINE, COARSE})
     {
         const std::vector<vector>& ofLevel = levels_[k].u[l];
         if (ofLevel.empty()) continue;

@@ -35,7 +35,7 @@ bool Foam::neighbourField::isPartner(const bodyCopies::body& a,
 
 Foam::scalar Foam::neighbourField::gap(const bodyCopies::body& a,
                                        const bodyCopies::body& b,
-                                       const vector& shift) const
+                                       const vector& shift, vector& e) const
 {
     const scalar h = grid_.h().x();
     const vector r(b.centre + shift - a.centre);
@@ -45,13 +45,17 @@ Foam::scalar Foam::neighbourField::gap(const bodyCopies::body& a,
     // Separating planes: normal along the centres, then along the touching points, three
     // iterations
     scalar largest = -GREAT;
-    vector e(r / apart);
+    vector n(r / apart);
     for (label i = 0; i < 3 && largest < farGap * h; ++i)
     {
-        const vector between(furthest(b.X, -e) + shift - furthest(a.X, e));
-        largest = max(largest, between & e);
+        const vector between(furthest(b.X, -n) + shift - furthest(a.X, n));
+        if ((between & n) > largest)
+        {
+            largest = between & n;
+            e = n;
+        }
         if (mag(between) < SMALL * h) break;
-        e = between / mag(between);
+        n = between / mag(between);
     }
     return largest / h;
 }
@@ -96,11 +100,12 @@ void Foam::neighbourField::findPairs(const label a, const label b)
 
         // A body and its own images: 13 of 26, as the others repeat these pairs
         if (a == b && image <= 13) continue;
-        pair p{a, b, first.centre + r - second.centre, 0,
-               isPartner(first, second) &&
-                   mag(r) < max(first.radius, second.radius)};
+        const bool inside = isPartner(first, second) &&
+                            mag(r) < max(first.radius, second.radius);
+        const vector shift(first.centre + r - second.centre);
+        pair p{a, b, shift, 0, vector(Zero), inside};
         if (nucleiOnly_ && !p.inside) continue;
-        p.gap = p.inside ? 0 : gap(first, second, p.shift);
+        p.gap = p.inside ? 0 : gap(first, second, p.shift, p.e);
         if (p.gap < farGap) pairs_.push_back(p);
     }
 }

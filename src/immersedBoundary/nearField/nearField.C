@@ -62,6 +62,45 @@ Foam::nearField::pointSet::pointSet(const std::vector<vector>& X,
     }
 }
 
+Foam::nearField::pointSet::pointSet(const pointSet& all,
+                                    const std::vector<label>& which)
+    : origin(all.origin),
+      n(which.size())
+{
+    const label m = floatLanes::padded(n);
+    fromOrigin.assign(3 * m, 0);
+    F.assign(3 * m, 0);
+    for (direction d = 0; d < 3; ++d)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            const label from = d * all.padded() + which[i];
+            fromOrigin[d * m + i] = all.fromOrigin[from];
+            F[d * m + i] = all.F[from];
+        }
+    }
+}
+
+std::vector<Foam::label>
+Foam::nearField::pointSet::foremost(const vector& e, const scalar depth) const
+{
+    const label m = padded();
+    std::vector<double> along(n);
+    for (label i = 0; i < n; ++i)
+    {
+        along[i] = e.x() * fromOrigin[i] + e.y() * fromOrigin[m + i] +
+                   e.z() * fromOrigin[2 * m + i];
+    }
+    std::vector<label> which;
+    if (n == 0) return which;
+    const double least = *std::max_element(along.begin(), along.end()) - depth;
+    for (label i = 0; i < n; ++i)
+    {
+        if (along[i] >= least) which.push_back(i);
+    }
+    return which;
+}
+
 void Foam::nearField::exchange(const pointSet& a, const pointSet& b,
                                const vector& apart, std::vector<vector>& u,
                                std::vector<vector>& v) const

@@ -77,20 +77,56 @@ Foam::nearField::nearField(const deltaKernel::kernelType kernel, const scalar h,
       mu_(mu),
       d_(d)
 {
+    setNodes();
     transform(deltaKernel(kernel), where == OWN);
     fit();
 }
 
-void Foam::nearField::transform(const deltaKernel& kernel, const bool own)
+Foam::nearField::nearField(const scalar h, const scalar mu, const scalar d,
+                           const scalar longer)
+    : h_(h),
+      mu_(mu),
+      d_(d)
+{
+    setNodes();
+    for (size_t i = 0; i < K_.size(); ++i)
+    {
+        const double lost = 2 * (1 - filter(i, longer, false));
+        trace_.push_back(weight_ * (2 * filter(i, d, false) - 2 + lost));
+        along_.push_back(0);
+        unresolved_.push_back(lost);
+    }
+    fit();
+}
+
+void Foam::nearField::setNodes()
 {
     // Cut-off of K [1/h]: the rest of the integral is 1e-6 of A
     const double largest = 25;
-    const int nK = 250, nAzimuth = 16, nPolar = 8;
-    const transformOf phi(kernel, largest);
-    for (int i = 0; i < nK; ++i)
+    const int n = 250;
+    weight_ = 4 / pi * largest / n;
+    for (int i = 0; i < n; ++i)
+    {
+        K_.push_back((i + 0.5) * largest / n);
+    }
+}
+
+double Foam::nearField::filter(const size_t i, const scalar d,
+                               const bool own) const
+{
+    const double x = 0.25 * sqr(K_[i] * d / h_);
+    return (1 + x + (own ? x * x * (6 - 4 * x + 8 * x * x) / 15 : 0)) *
+           std::exp(-x);
+}
+
+void Foam::nearField::transform(const deltaKernel& kernel, const bool own)
+{
+    const int nAzimuth = 16, nPolar = 8;
+    const transformOf phi(kernel, K_.back());
+    for (size_t i = 0; i < K_.size(); ++i)
     {
         // Transform of G_h averaged over an octant of directions: trace, part along K
-        const double K = (i + 0.5) * largest / nK;
+        const double K = K_[i];
         const auto ring = [&](const double z)
         {
             Eigen::Vector2d sum(0, 0);
@@ -113,16 +149,8 @@ void Foam::nearField::transform(const deltaKernel& kernel, const bool own)
             return sum;
         };
         const Eigen::Vector2d smoothed(integral(0, 1, nPolar, ring));
-
-        // Transform of G_d; weight of the quadrature over K
-        const double x = 0.25 * sqr(K * d_ / h_);
-        const double filter =
-            (1 + x + (own ? x * x * (6 - 4 * x + 8 * x * x) / 15 : 0)) *
-            std::exp(-x);
-        const double weight = 4 / pi * largest / nK;
-        K_.push_back(K);
-        trace_.push_back(weight * (2 * filter - smoothed[0]));
-        along_.push_back(weight * -smoothed[1]);
+        trace_.push_back(weight_ * (2 * filter(i, d_, own) - smoothed[0]));
+        along_.push_back(weight_ * -smoothed[1]);
         unresolved_.push_back(2 - smoothed[0]);
     }
 }
