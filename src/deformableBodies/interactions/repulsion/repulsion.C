@@ -76,22 +76,20 @@ contactLaw lawOf(const dictionary& dict, const interactionScene& scene)
         return all;
     };
 
-    // At 0.6 h some membranes of a fifth of the volume cross in viscous flow. With inertia (a
-    // Reynolds number of the body is three times the Stokes number) none does. Nuclei sink into
-    // soft ones, of Ca_G = force/(6 pi Gs a) above 1
-    bool close = scene.share < 0.05, light = true, fast = false;
+    // At 0.6 h some membranes of a fifth of the volume cross. Nuclei sink into soft ones, of
+    // Ca_G = force/(6 pi Gs a) above 1
+    bool light = true, fast = false;
     for (const contactLoad& load : scene.loads)
     {
         fast = fast || load.stokesNumber() > 10;
         if (!load.isSurface) continue;
-        close = close || (load.softness < GREAT && load.stokesNumber() > 0.5);
         const scalar soft = 6 * pi * load.softness * sqr(load.radius);
         light = light && load.own == 0 && load.force < soft;
     }
-    const scalar cells = scene.films        ? (fast ? 1 : 0.6)
-                         : !scene.nearField ? 1.5
-                         : close && light   ? 0.6
-                                            : 1;
+    const scalar cells = scene.films                   ? (fast ? 1 : 0.6)
+                         : !scene.nearField            ? 1.5
+                         : scene.share < 0.05 && light ? 0.6
+                                                       : 1;
     return contactLaw(dict, scene.grid, cells * cmptMax(scene.grid.h()),
                       strength, dimPressure, scene.adjusted ? 0 : scene.deltaT,
                       0.25 * scene.mu / scene.deltaT);
