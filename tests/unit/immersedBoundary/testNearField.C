@@ -153,3 +153,48 @@ TEST(NearField, smoothedMobilityAsMeasured)
                           mag(sqr(v.q) * (p.C - r.C) - v.B), 2e-3);
     }
 }
+
+// Stokeslets of a short length are those of a longer one and the difference, which has a range
+TEST(NearField, differenceOfLengths)
+{
+    const scalar d = 0.528, longer = 1.36;
+    const nearField near(deltaKernel::Roma3, 1, 1, d, nearField::OTHER);
+    const nearField smooth(deltaKernel::Roma3, 1, 1, longer, nearField::OTHER);
+    const nearField rest(1, 1, d, longer);
+    const scalar most = near.exact(0).A;
+    for (const scalar q : {0.0, 0.3, 1.0, 2.0, 3.0, 6.0})
+    {
+        const nearField::mobility a(near.exact(q)), b(smooth.exact(q)),
+            c(rest.exact(q)), fit(rest.fitted(q));
+        const std::string at = ", q = " + std::to_string(q);
+        test::expectBelow("A of the parts" + at, mag(a.A - b.A - c.A), 1e-12);
+        test::expectBelow("B of the parts" + at, sqr(q) * mag(a.C - b.C - c.C),
+                          1e-12);
+        test::expectBelow("fit" + at, mag(fit.A - c.A) / most, 5e-4);
+    }
+    const nearField::mobility end(rest.exact(3 * longer));
+    test::expectBelow("at its range", mag(end.A) / most, 1e-4);
+}
+
+// Points of a cube, and those of its upper side
+TEST(NearField, foremostPoints)
+{
+    std::vector<vector> X, F;
+    for (label i = 0; i < 27; ++i)
+    {
+        X.push_back(vector(i % 3, i / 3 % 3, i / 9));
+        F.push_back(scalar(i) * vector(1, 2, 3));
+    }
+    const nearField::pointSet all(X, F);
+    EXPECT_EQ(27u, all.foremost(vector(0, 0, 1), 2.5).size());
+    EXPECT_EQ(27u, all.foremost(vector(0, 0, 0), 0.5).size());
+    const std::vector<label> upper(all.foremost(vector(0, 0, 1), 0.5));
+    ASSERT_EQ(9u, upper.size());
+    const nearField::pointSet some(all, upper);
+    EXPECT_EQ(9, some.n);
+    for (label i = 0; i < some.n; ++i)
+    {
+        EXPECT_EQ(2, some.origin.z() + some.fromOrigin[2 * some.padded() + i]);
+        EXPECT_EQ(F[upper[i]].y(), some.F[some.padded() + i]);
+    }
+}
